@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+// The only file that knows threads. Work is cut into blocks of a fixed size, whatever the number of threads;
+// sums are taken block by block in order, so 1 and N threads give the same bits.
+
+namespace corticle
+{
+
+inline constexpr std::int64_t parallel_block = 512;
+
+/// Number of threads the loops below use.
+inline int thread_count()
+{
+#ifdef _OPENMP
+    return omp_get_max_threads();
+#else
+    return 1;
+#endif
+}
+
+inline void set_thread_count([[maybe_unused]] int count)
+{
+#ifdef _OPENMP
+    if (count > 0)
+    {
+        omp_set_num_threads(count);
+    }
+#endif
+}
+
+/// Calls body(begin, end) for consecutive blocks of [0, count); blocks run concurrently, in any order.
+/// The body must not throw.
+template <class Body>
+void parallel_blocks(std::int64_t count, Body&& body)
+{
+    const std::int64_t blocks = (count + parallel_block - 1) / parallel_block;
+#pragma omp parallel for schedule(dynamic, 4) if (blocks > 1)
+    for (std::int64_t block = 0; block < blocks; ++block)
+    {
+        const std::int64_t begin = block * parallel_block;
+        body(begin, std::min(begin + parallel_block, count));
+    }
+}
+
+/// Calls body(i) for every i of [0, count), concurrently. The body must not throw.
+template <class Body>
+void parallel_for(std::int64_t count, Body&& body)
+{
+    parallel_blocks(count,
+                    [&](std::int64_t begin, std::int64_t end)
+                    {
+                        for (std::int64_t i = begin; i < end; ++i)
+                        {
+                            body(i);
+                        }
+                    });
+}
+
+/// Folds blocks concurrently, then their results in order: `block_value(begin, end) -> T`, `join(T&, const T&)`.
+/// The result does not depend on the number of threads.
+template <class T, class BlockValue, class Join>
+T parallel_reduce(std::int64_t count, T initial, BlockValue&& block_value, Join&& join)
+{
+    const std::int64_t blocks = (count + parallel_block - 1) / parallel_block;
+    std::vector<T> partial(static_cast<std::size_t>(blocks), initial);
+    parallel_blocks(count, [&](std::int64_t begin, std::int64_t end)
+                    { partial[static_cast<std::size_t>(begin / parallel_block)] = block_value(begin, end); });
+    T result = initial;
+    for (const T& value : partial)
+    {
+        join(result, value);
+    }
+    return result;
+}
+
+/// sum_i value(i), in a fixed order.
+template <class Value>
+double parallel_sum(std::int64_t count, Value&& value)
+{
+    return parallel_reduce(
+        count, 0.0,
+        [&](std::int64_t begin, std::int64_t end)
+        {
+            double sum = 0.0;
+            for (std::int64_t i = begin; i < end; ++i)
+            {
+                sum += value(i);
+            }
+            return sum;
+        },
+        [](double& total, double part) { total += part; });
+}
+
+} // namespace corticle

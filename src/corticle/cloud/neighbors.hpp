@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/cloud/cloud.hpp"
+#include "corticle/geometry/surface_tree.hpp"
+
+namespace corticle
+{
+
+/// Reference neighbours of every particle, itself excluded: those of particle i are
+/// index[begin[i]] … index[begin[i+1]-1], in ascending order. The relation is symmetric.
+struct Neighbors
+{
+    std::vector<std::int64_t> begin; ///< particles + 1 entries
+    std::vector<std::int32_t> index;
+};
+
+struct VisibilityReport
+{
+    std::int64_t dropped_pairs = 0; ///< pairs within the support whose segment leaves the body
+};
+
+/// All pairs closer than `support` [mm] that see each other: a pair whose segment leaves the body (the two banks of
+/// a fissure) is dropped, in both directions. Chords that graze a gently concave surface are kept: the ends that lie
+/// on or near the surface are moved inward along the normal by half a spacing for the test.
+Neighbors find_neighbors(const Cloud& cloud, const SurfaceTree& surface, double support, VisibilityReport* report = nullptr);
+
+/// All pairs closer than `support`, whatever lies between them.
+Neighbors find_pairs_within(std::span<const Vec3> positions, double support);
+
+} // namespace corticle

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/config/options.hpp"
+
+#include <span>
+#include <string_view>
+
+namespace corticle
+{
+
+/// Reads a case (TOML) and then `overrides` ("section.key=value"); checks every key, type and range.
+/// `base_directory` resolves a relative geometry.file.  An [expect] table is allowed and ignored here.
+/// @throws InputError, one line: what, where (file and line, or --set), got, expected, nearest valid key.
+Options read_case(const std::filesystem::path& file, std::span<const std::string> overrides);
+
+/// The same from text; `name` is used in messages. (What the fuzz test drives.)
+Options parse_case(std::string_view text, const std::string& name, std::span<const std::string> overrides,
+                   const std::filesystem::path& base_directory);
+
+/// The resolved case as TOML, every key with its value: what the run folder's case.toml and the checkpoint hold. read_case of it gives equal options.
+std::string to_toml(const Options& options);
+
+/// Keys that differ between two resolved cases, apart from those that may change on resuming (output.*, time.end): "section.key: a -> b".
+std::vector<std::string> differing_keys(std::string_view resolved_a, std::string_view resolved_b);
+
+/// Every key with type, unit, default, range and sentence: for `corticle schema` (text) and the docs page (Markdown).
+std::string schema_text();
+std::string schema_markdown();
+
+} // namespace corticle

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/geometry/triangle_mesh.hpp"
+
+namespace corticle
+{
+
+/// Convex hull of points [mm] (CGAL).
+TriangleMesh convex_hull(std::span<const Vec3> points);
+
+} // namespace corticle

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace corticle
+{
+
+struct TlsphOptions
+{
+    double support = 2.5;  ///< support radius of the kernel [spacings]
+    double zeta = 0.25;    ///< zero-energy control [-]
+};
+
+} // namespace corticle
