@@ -12,6 +12,7 @@ struct alignas(32) Vec3
     double x = 0.0;
     double y = 0.0;
     double z = 0.0;
+    double lane = 0.0; ///< fills the register; stays zero
 
     constexpr double& operator[](int axis) { return axis == 0 ? x : (axis == 1 ? y : z); }
     constexpr double operator[](int axis) const { return axis == 0 ? x : (axis == 1 ? y : z); }

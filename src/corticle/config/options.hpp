@@ -7,6 +7,8 @@
 #include "corticle/tlsph/options.hpp"
 #include "corticle/contact/options.hpp"
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>

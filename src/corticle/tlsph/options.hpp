@@ -7,7 +7,7 @@ namespace corticle
 struct TlsphOptions
 {
     double support = 2.5;  ///< support radius of the kernel [spacings]
-    double zeta = 0.25;    ///< zero-energy control [-]
+    double zeta = 0.1;    ///< zero-energy control [-]
 };
 
 } // namespace corticle

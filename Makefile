@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Thin: the build itself is CMake's (see CMakePresets.json). `make help` lists the goals.
+
+SHELL := /bin/bash
+JOBS ?= $(shell nproc)
+CASE ?= cases/sphere.toml
+OUT ?= runs/$(basename $(notdir $(CASE)))
+PYTHON ?= $(firstword $(wildcard /usr/bin/python3) python3)
+COMMAND := build/release/bin/corticle
+
+MAKEFLAGS += --no-print-directory
+
+.NOTPARALLEL:
+.PHONY: fold test build dev asan tsan validate bench format format-check lint setup setup-dev clean help
+.DEFAULT_GOAL := help
+
+help: ## list the goals
+	@sed -nE 's/^([a-z-]+):.*## (.*)/  \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 16
+
+fold: build ## set up, build, fold the sphere (or CASE=…, OUT=…); says where the pictures are
+	@$(PYTHON) scripts/fold.py --command $(COMMAND) --case $(CASE) --out $(OUT)
+
+test: build ## set up, build, run all tests
+	ctest --preset release --parallel $(JOBS)
+
+build: setup build/release/.configured ## set up and build the optimised version
+	cmake --build --preset release --parallel $(JOBS)
+
+dev: setup build/dev/.configured ## build and test with assertions, warnings as errors
+	cmake --build --preset dev --parallel $(JOBS)
+	ctest --preset dev --parallel $(JOBS)
+
+asan: setup build/asan/.configured ## build and test with the address and undefined sanitizers
+	cmake --build --preset asan --parallel $(JOBS)
+	ctest --preset asan --parallel $(JOBS)
+
+tsan: setup-dev build/tsan/.configured ## build and test with clang's thread sanitizer
+	cmake --build --preset tsan --parallel $(JOBS)
+	ctest --preset tsan --parallel $(JOBS)
+
+validate: build ## compare with theory and published numbers (validation/*/run.py or run.sh)
+	@$(PYTHON) scripts/validate.py --command $(COMMAND)
+
+bench: build ## build and run the benchmarks; JSON goes to build/release/benchmarks
+	cmake --build --preset release --parallel $(JOBS) --target bench
+
+format: setup ## rewrite the sources in the project's format
+	$(PYTHON) tests/project/check_format.py --fix
+
+format-check: setup ## check the format
+	$(PYTHON) tests/project/check_format.py
+
+lint: setup-dev build/dev/.configured ## clang-tidy over all sources
+	@$(PYTHON) scripts/lint.py --build build/dev --jobs 2
+
+setup: ## install the Debian packages that are missing
+	@scripts/setup.sh
+
+setup-dev:
+	@scripts/setup.sh --dev
+
+clean: ## delete what was built (runs/ is kept)
+	rm -rf build
+
+# CMake looks after later changes to the CMakeLists itself; the stamp is left only by a configure that went well.
+build/%/.configured: CMakePresets.json
+	cmake --preset $*
+	@touch $@

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands.hpp"
+
+#include <array>
+
+#include "corticle/config/case_checks.hpp"
+#include "corticle/config/case_file.hpp"
+#include "corticle/simulation/run_folder.hpp"
+
+#include <fmt/format.h>
+
+namespace corticle
+{
+
+int check_command(const CheckArguments& arguments)
+{
+    const Options options = read_case(arguments.case_file, arguments.overrides);
+    const Plan planned = plan(options, arguments.threads);
+    fmt::print("{}\n{}", to_toml(options), planned.text);
+    if (planned.text.empty() || planned.text.back() != '\n')
+    {
+        fmt::print("\n");
+    }
+    for (const std::string& warning : case_warnings(options))
+    {
+        fmt::print("warning: {}\n", warning);
+    }
+    return exit_status::done;
+}
+
+} // namespace corticle

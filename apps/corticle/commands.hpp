@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+// One function per verb; each returns the exit status and throws on bad input or a failed run.
+
+namespace corticle
+{
+
+namespace exit_status
+{
+inline constexpr int done = 0;
+inline constexpr int bad_input = 2;
+inline constexpr int failed = 3;
+inline constexpr int interrupted = 130;
+} // namespace exit_status
+
+struct RunArguments
+{
+    std::filesystem::path case_file;
+    std::filesystem::path out; ///< empty: runs/<stem of the case>
+    std::vector<std::string> overrides;
+    int threads = 0; ///< 0: all cores
+    bool resume = false;
+    bool overwrite = false;
+    bool quiet = false;
+};
+int run_command(const RunArguments& arguments);
+
+struct NewArguments
+{
+    std::filesystem::path case_file;
+    std::string shape = "sphere";
+};
+int new_command(const NewArguments& arguments);
+
+struct CheckArguments
+{
+    std::filesystem::path case_file;
+    std::vector<std::string> overrides;
+    int threads = 0; ///< 0: all cores
+};
+int check_command(const CheckArguments& arguments);
+
+struct SchemaArguments
+{
+    bool markdown = false;
+};
+int schema_command(const SchemaArguments& arguments);
+
+struct MeasureArguments
+{
+    std::filesystem::path surface;
+    std::string unit = "mm";
+    bool json = false;
+};
+int measure_command(const MeasureArguments& arguments);
+
+struct RenderArguments
+{
+    std::filesystem::path run_folder;
+};
+int render_command(const RenderArguments& arguments);
+
+} // namespace corticle

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands.hpp"
+
+#include "corticle/base/error.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <functional>
+#include <iostream>
+#include <memory>
+#include <new>
+
+// The only file that knows the command line.
+
+namespace
+{
+
+using namespace corticle;
+
+using Verb = std::function<int()>;
+
+/// One line on stderr, whatever the message holds.
+int complain(std::string message, int status)
+{
+    for (char& c : message)
+    {
+        c = c == '\n' || c == '\r' ? ' ' : c;
+    }
+    message.erase(message.find_last_not_of(' ') + 1);
+    std::fprintf(stderr, "corticle: error: %s\n", message.c_str());
+    return status;
+}
+
+void add_overrides(CLI::App& verb, std::vector<std::string>& overrides)
+{
+    verb.add_option("--set", overrides, "Change a key of the case; may be repeated")
+        ->type_name("SECTION.KEY=VALUE")
+        ->type_size(1)
+        ->allow_extra_args(false);
+}
+
+void add_threads(CLI::App& verb, int& threads)
+{
+    verb.add_option("--threads", threads, "Number of threads (default: all cores)")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1024));
+}
+
+void add_run(CLI::App& app, Verb& chosen)
+{
+    auto arguments = std::make_shared<RunArguments>();
+    CLI::App* verb = app.add_subcommand("run", "Run a case");
+    verb->add_option("case", arguments->case_file, "Case to run")->type_name("CASE.toml")->required();
+    verb->add_option("--out", arguments->out, "Run folder (default: runs/<name of the case>)")->type_name("DIR");
+    add_overrides(*verb, arguments->overrides);
+    add_threads(*verb, arguments->threads);
+    verb->add_flag("--resume", arguments->resume, "Continue the run in the folder from its checkpoint");
+    verb->add_flag("--overwrite", arguments->overwrite, "Remove an earlier run in the folder first");
+    verb->add_flag("--quiet", arguments->quiet, "Print nothing but errors");
+    verb->callback([arguments, &chosen] { chosen = [arguments] { return run_command(*arguments); }; });
+}
+
+void add_new(CLI::App& app, Verb& chosen)
+{
+    auto arguments = std::make_shared<NewArguments>();
+    CLI::App* verb = app.add_subcommand("new", "Write a commented starter case; never overwrites");
+    verb->add_option("case", arguments->case_file, "Case to write")->type_name("NAME.toml")->required();
+    verb->add_option("--shape", arguments->shape, "sphere, ellipsoid or file")
+        ->capture_default_str()
+        ->type_name("SHAPE")
+        ->check(CLI::IsMember({"sphere", "ellipsoid", "file"}));
+    verb->callback([arguments, &chosen] { chosen = [arguments] { return new_command(*arguments); }; });
+}
+
+void add_check(CLI::App& app, Verb& chosen)
+{
+    auto arguments = std::make_shared<CheckArguments>();
+    CLI::App* verb = app.add_subcommand("check", "Print the resolved case and what a run of it will take");
+    verb->add_option("case", arguments->case_file, "Case to check")->type_name("CASE.toml")->required();
+    add_overrides(*verb, arguments->overrides);
+    add_threads(*verb, arguments->threads);
+    verb->callback([arguments, &chosen] { chosen = [arguments] { return check_command(*arguments); }; });
+}
+
+void add_schema(CLI::App& app, Verb& chosen)
+{
+    auto arguments = std::make_shared<SchemaArguments>();
+    CLI::App* verb = app.add_subcommand("schema", "Print every key of a case: type, default, unit, range, meaning");
+    verb->add_flag("--markdown", arguments->markdown, "As Markdown");
+    verb->callback([arguments, &chosen] { chosen = [arguments] { return schema_command(*arguments); }; });
+}
+
+void add_measure(CLI::App& app, Verb& chosen)
+{
+    auto arguments = std::make_shared<MeasureArguments>();
+    CLI::App* verb = app.add_subcommand("measure", "Area, volume and gyrification indices of a closed surface");
+    verb->add_option("surface", arguments->surface, "STL, OBJ, PLY, OFF or VTP")->type_name("FILE")->required();
+    verb->add_option("--unit", arguments->unit, "Unit of length of the file: mm, cm or m")
+        ->capture_default_str()
+        ->type_name("UNIT")
+        ->check(CLI::IsMember({"mm", "cm", "m"}));
+    verb->add_flag("--json", arguments->json, "As JSON");
+    verb->callback([arguments, &chosen] { chosen = [arguments] { return measure_command(*arguments); }; });
+}
+
+void add_render(CLI::App& app, Verb& chosen)
+{
+    auto arguments = std::make_shared<RenderArguments>();
+    CLI::App* verb = app.add_subcommand("render", "Draw the pictures of a run folder again");
+    verb->add_option("run", arguments->run_folder, "Run folder")->type_name("RUN")->required();
+    verb->callback([arguments, &chosen] { chosen = [arguments] { return render_command(*arguments); }; });
+}
+
+int dispatch(int argc, char** argv)
+{
+    CLI::App app("Corticle: meshless simulation of cortical folding", "corticle");
+    app.set_version_flag("--version", "corticle " CORTICLE_VERSION);
+    app.require_subcommand(1);
+    app.footer("Exit status: 0 done, 2 bad usage or input, 3 the run failed, 130 interrupted.");
+    Verb chosen;
+    for (auto add : {add_run, add_new, add_check, add_schema, add_measure, add_render})
+    {
+        add(app, chosen);
+    }
+    try
+    {
+        app.parse(argc, argv);
+    }
+    catch (const CLI::ParseError& error)
+    {
+        if (error.get_exit_code() == 0)
+        {
+            return app.exit(error); // --help, --version
+        }
+        const auto named = [&](const CLI::App* verb) { return verb->get_name() == argv[1]; };
+        if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(named).empty())
+        {
+            return complain("unknown verb \"" + std::string(argv[1]) +
+                                "\", expected run, new, check, schema, measure or render",
+                            exit_status::bad_input);
+        }
+        return complain(std::string(error.what()) + " (`corticle --help` shows the usage)", exit_status::bad_input);
+    }
+    return chosen();
+}
+
+/// Output that could not be written must not pass for success.
+int flushed(int status)
+{
+    std::cout.flush();
+    if (status == exit_status::done && (std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout))
+    {
+        return complain("cannot write to the standard output", exit_status::failed);
+    }
+    return status;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    try
+    {
+        return flushed(dispatch(argc, argv));
+    }
+    catch (const InputError& error)
+    {
+        return complain(error.what(), exit_status::bad_input);
+    }
+    catch (const std::bad_alloc&)
+    {
+        return complain("out of memory", exit_status::failed);
+    }
+    catch (const std::exception& error)
+    {
+        return complain(error.what(), exit_status::failed);
+    }
+}

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands.hpp"
+
+#include "corticle/simulation/run_pictures.hpp"
+
+namespace corticle
+{
+
+int render_command(const RenderArguments& arguments)
+{
+    render_run(arguments.run_folder);
+    return exit_status::done;
+}
+
+} // namespace corticle

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands.hpp"
+
+#include <array>
+
+#include "corticle/config/case_file.hpp"
+#include "corticle/simulation/run_folder.hpp"
+
+namespace corticle
+{
+
+int run_command(const RunArguments& arguments)
+{
+    RunRequest request;
+    request.options = read_case(arguments.case_file, arguments.overrides);
+    request.out = arguments.out.empty() ? std::filesystem::path("runs") / arguments.case_file.stem() : arguments.out;
+    request.threads = arguments.threads;
+    request.resume = arguments.resume;
+    request.overwrite = arguments.overwrite;
+    request.quiet = arguments.quiet;
+    return simulate(request) == RunStatus::completed ? exit_status::done : exit_status::interrupted;
+}
+
+} // namespace corticle

@@ -1,0 +1,59 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Installs what the build needs and is not there. Quick when nothing is missing.
+#   scripts/setup.sh          to build, run and test
+#   scripts/setup.sh --dev    also clang, clang-tidy and clang's OpenMP (make lint, make tsan)
+set -euo pipefail
+
+packages=(
+    g++ cmake make python3
+    libvtk9-dev xvfb xauth libgl1-mesa-dri
+    libcgal-dev libhdf5-dev
+    libtomlplusplus-dev libcli11-dev libspdlog-dev libfmt-dev nlohmann-json3-dev
+    libgtest-dev libgmock-dev libbenchmark-dev clang-format
+)
+[[ ${1:-} == --dev ]] && packages+=(clang clang-tidy libomp-dev)
+
+say() { echo "setup: $*" >&2; }
+
+if ! command -v dpkg-query >/dev/null; then
+    if command -v cmake >/dev/null && command -v make >/dev/null && command -v python3 >/dev/null &&
+        { command -v g++ || command -v clang++; } >/dev/null; then
+        say "not a Debian or Ubuntu system: assuming the libraries are there; CMake will name any that is not"
+        exit 0
+    fi
+    say "not a Debian or Ubuntu system; install a C++20 compiler, make, python3, CMake 3.25, VTK 9.1, CGAL 5.5, HDF5 (C)," \
+        "toml++, CLI11, spdlog, fmt, nlohmann-json, GoogleTest and Google Benchmark, and Xvfb for pictures without a display"
+    exit 1
+fi
+
+list_missing() {
+    local installed
+    installed=$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' "${packages[@]}" 2>/dev/null | sed -n 's/^installed //p') || true
+    comm -23 <(printf '%s\n' "${packages[@]}" | sort -u) <(sort -u <<<"$installed")
+}
+
+mapfile -t missing < <(list_missing)
+((${#missing[@]} == 0)) && exit 0
+
+say "missing: ${missing[*]}"
+as_root=()
+if ((EUID != 0)); then
+    if ! command -v sudo >/dev/null; then
+        say "cannot install them: not root, and there is no sudo. As root: apt-get install --no-install-recommends ${missing[*]}"
+        exit 1
+    fi
+    as_root=(sudo)
+fi
+
+apt() { "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o Dpkg::Use-Pty=0 -o Acquire::Retries=3 -qq "$@"; }
+say "installing them (libvtk9-dev brings some 800 MB; minutes the first time)"
+apt update </dev/null || say "apt-get update failed; trying with the package lists at hand"
+apt install -y --no-install-recommends "${missing[@]}" </dev/null >&2 || true
+
+mapfile -t missing < <(list_missing)
+if ((${#missing[@]})); then
+    say "could not install: ${missing[*]}"
+    exit 1
+fi
+say "done"

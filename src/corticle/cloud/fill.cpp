@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/cloud/fill.hpp"
+
+#include "corticle/base/error.hpp"
+#include "corticle/cloud/cell_volumes.hpp"
+#include "corticle/cloud/interior.hpp"
+#include "corticle/cloud/space_filling_curve.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace corticle
+{
+
+double spacing_for_particles(double volume, std::int64_t count)
+{
+    if (!(volume > 0.0) || count < 1)
+    {
+        throw InputError(fmt::format("{} particles in {} mm³; expected positive numbers", count, volume));
+    }
+    return std::cbrt(volume / static_cast<double>(count));
+}
+
+Cloud fill_surface(const TriangleMesh& surface, const CloudOptions& options)
+{
+    const double volume = enclosed_volume(surface.vertices, surface.triangles);
+    if (!(options.spacing > 0.0) || !(volume > 0.0))
+    {
+        throw InputError(fmt::format("spacing {} mm in a surface of {} mm³; expected positive numbers", options.spacing,
+                                     volume));
+    }
+    const double wanted = volume / (options.spacing * options.spacing * options.spacing);
+    constexpr double most = 1e9; // particle indices have 32 bits
+    if (wanted > most)
+    {
+        throw InputError(fmt::format("spacing {} mm means {:.3g} particles; expected at most {:.3g}", options.spacing,
+                                     wanted, most));
+    }
+    const SurfaceTree tree(surface.vertices, surface.triangles);
+    const auto surface_count = static_cast<std::int64_t>(surface.vertices.size());
+    const std::int64_t inside_count = std::max<std::int64_t>(std::llround(wanted) - surface_count, 0);
+
+    std::vector<Vec3> points = surface.vertices;
+    const std::vector<Vec3> inside = scatter_inside(tree, inside_count, options);
+    points.insert(points.end(), inside.begin(), inside.end());
+    relax_inside(tree, options.spacing, points);
+    const std::vector<double> volumes = cell_volumes(surface, points, options.spacing);
+
+    Cloud cloud;
+    const std::vector<std::int32_t> order = hilbert_order(points);
+    cloud.surface_particles.resize(surface.vertices.size());
+    for (std::size_t k = 0; k < order.size(); ++k)
+    {
+        cloud.positions.push_back(points[order[k]]);
+        cloud.volumes.push_back(volumes[order[k]]);
+        if (order[k] < surface_count)
+        {
+            cloud.surface_particles[order[k]] = static_cast<std::int32_t>(k);
+        }
+    }
+    cloud.surface_triangles = surface.triangles;
+    cloud.spacing = std::cbrt(volume / static_cast<double>(points.size()));
+    return cloud;
+}
+
+} // namespace corticle

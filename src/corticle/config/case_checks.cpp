@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/config/case_checks.hpp"
+
+#include "corticle/base/error.hpp"
+#include "corticle/config/parameters.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace corticle
+{
+
+namespace
+{
+
+using Place = std::function<std::string(std::string_view)>;
+
+constexpr double most_elongated = 20.0; // ratio of semi-axes
+
+void check_geometry(const GeometryOptions& geometry, const Place& place)
+{
+    if (geometry.spacing_mm && geometry.particles)
+    {
+        throw InputError(fmt::format("geometry.spacing_mm{} and geometry.particles{} are both given: expected one",
+                                     place("geometry.spacing_mm"), place("geometry.particles")));
+    }
+    if (geometry.shape == "file" && geometry.file.empty())
+    {
+        throw InputError(fmt::format("geometry.file{} is missing: got none, expected the path of a surface, as "
+                                     "geometry.shape{} is \"file\"",
+                                     place("geometry.file"), place("geometry.shape")));
+    }
+    if (geometry.shape != "file" && !geometry.file.empty())
+    {
+        throw InputError(fmt::format("geometry.file{} is given, but geometry.shape{} is \"{}\": expected shape = "
+                                     "\"file\"",
+                                     place("geometry.file"), place("geometry.shape"), geometry.shape));
+    }
+    const auto [least, most] = std::ranges::minmax(geometry.semi_axes_mm);
+    if (geometry.shape == "ellipsoid" && most > most_elongated * least)
+    {
+        throw InputError(fmt::format("geometry.semi_axes_mm{} is out of range: got a ratio of {:.3g}, expected at "
+                                     "most {}",
+                                     place("geometry.semi_axes_mm"), most / least, most_elongated));
+    }
+}
+
+void check_particle_count(const GeometryOptions& geometry, const Place& place)
+{
+    if (!geometry.spacing_mm || geometry.shape == "file")
+    {
+        return; // known once the file is read
+    }
+    const double count = shape_volume(geometry) / std::pow(*geometry.spacing_mm, 3);
+    if (!(count >= static_cast<double>(fewest_particles) && count <= static_cast<double>(most_particles)))
+    {
+        throw InputError(fmt::format("geometry.spacing_mm{} is out of range: got {}, which gives about {:.3g} "
+                                     "particles, expected {} to {}",
+                                     place("geometry.spacing_mm"), *geometry.spacing_mm, count, fewest_particles,
+                                     most_particles));
+    }
+}
+
+void check_tissue(const Options& options, const Place& place)
+{
+    const TissueOptions& tissue = options.tissue;
+    if (tissue.lambda > 0.0 && (tissue.layer != Layer::binary || options.geometry.shape == "file"))
+    {
+        throw InputError(fmt::format("tissue.lambda{} is out of range: got {}, expected 0 unless tissue.layer is "
+                                     "\"binary\" and geometry.shape \"sphere\" or \"ellipsoid\"",
+                                     place("tissue.lambda"), tissue.lambda));
+    }
+    const double last = tissue.thickness_mm + tissue.thickness_rate_mm * options.time.end;
+    if (!(last > 0.0))
+    {
+        throw InputError(fmt::format("tissue.thickness_rate_mm{} is out of range: got {}, which leaves a thickness of "
+                                     "{:.3g} mm at the end, expected more than 0",
+                                     place("tissue.thickness_rate_mm"), tissue.thickness_rate_mm, last));
+    }
+}
+
+} // namespace
+
+double shape_volume(const GeometryOptions& geometry)
+{
+    constexpr double factor = 4.0 / 3.0 * std::numbers::pi;
+    if (geometry.shape == "sphere")
+    {
+        return factor * std::pow(geometry.radius_mm, 3);
+    }
+    const auto& axes = geometry.semi_axes_mm;
+    return geometry.shape == "ellipsoid" ? factor * axes[0] * axes[1] * axes[2] : 0.0;
+}
+
+void check_case(const Options& options, const Place& place)
+{
+    check_geometry(options.geometry, place);
+    check_particle_count(options.geometry, place);
+    check_tissue(options, place);
+}
+
+std::vector<std::string> case_warnings(const Options& options)
+{
+    std::vector<std::string> warnings;
+    if (!options.output.times.empty() && options.output.times.back() > options.time.end)
+    {
+        warnings.push_back(fmt::format("output.times beyond time.end = {} are left out", options.time.end));
+    }
+    if (!options.contact.enabled)
+    {
+        warnings.emplace_back("contact is off: folds will pass through each other");
+    }
+    return warnings;
+}
+
+} // namespace corticle

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "corticle/config/options.hpp"
+
+#include <functional>
+#include <string_view>
+
+namespace corticle
+{
+
+/// Checks what no single parameter can tell. `place(key)` says where a key was given: " (case.toml:4)", or "".
+/// @throws InputError
+void check_case(const Options& options, const std::function<std::string(std::string_view)>& place);
+
+/// Volume of the built-in shapes [mm³]; 0 for a file.
+double shape_volume(const GeometryOptions& geometry);
+
+/// What is allowed but probably not meant, one line each.
+std::vector<std::string> case_warnings(const Options& options);
+
+} // namespace corticle

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+
+#include "corticle/config/case_file.hpp"
+
+#include "corticle/base/error.hpp"
+#include "corticle/config/case_checks.hpp"
+#include "corticle/config/case_text.hpp"
+#include "corticle/config/parameters.hpp"
+#include "corticle/config/toml_document.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace corticle
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+/// Gathers the keys of a case and of its overrides.
+class CaseReader
+{
+  public:
+    void read_text(std::string_view text, const std::string& name, const fs::path& base_directory);
+    void read_overrides(std::span<const std::string> overrides);
+    Options finish();
+
+  private:
+    void assign_at(const std::string& key, const Value& value, const std::string& where, const fs::path& base);
+    void forget(const std::string& key);
+    void override_one(const std::string& text);
+    void settle_alternatives();
+
+    Options options_;
+    std::map<std::string, std::string, std::less<>> places_; ///< where each key was given last
+    std::set<std::string, std::less<>> overridden_;
+};
+
+InputError unknown_key(const std::string& key, const std::string& where)
+{
+    const std::string nearest = nearest_key(key);
+    return InputError(
+        fmt::format("unknown key {} ({}); {}", printable(key), where,
+                    nearest.empty() ? "`corticle schema` lists the valid keys" : "did you mean " + nearest + "?"));
+}
+
+InputError unknown_section(const std::string& section, const std::string& where)
+{
+    const std::string nearest = nearest_section(section);
+    return InputError(fmt::format("unknown section [{}] ({}); {}", printable(section), where,
+                                  nearest.empty() ? "expected geometry, tissue, solver, contact, time, output or expect"
+                                                  : "did you mean [" + nearest + "]?"));
+}
+
+bool is_section(std::string_view section)
+{
+    return std::ranges::any_of(parameters(), [&](const Parameter& p) { return p.section() == section; });
+}
+
+std::string trimmed(std::string_view text)
+{
+    const auto begin = text.find_first_not_of(" \t");
+    return begin == std::string_view::npos ? ""
+                                           : std::string(text.substr(begin, text.find_last_not_of(" \t") - begin + 1));
+}
+
+/// The value of an override: TOML, or a bare string.
+Value override_value(const Parameter& parameter, const std::string& text)
+{
+    const bool wants_text = parameter.kind == Kind::text || parameter.kind == Kind::choice;
+    const bool is_quoted = !text.empty() && (text.front() == '"' || text.front() == '\'');
+    if (wants_text && !is_quoted)
+    {
+        return text;
+    }
+    return parse_toml_value(text).value_or(text);
+}
+
+void CaseReader::assign_at(const std::string& key, const Value& value, const std::string& where, const fs::path& base)
+{
+    const Parameter* parameter = find_parameter(key);
+    if (parameter == nullptr)
+    {
+        throw unknown_key(key, where);
+    }
+    assign(options_, *parameter, value, where);
+    places_[key] = where;
+    std::string& file = options_.geometry.file;
+    if (key == "geometry.file" && !file.empty())
+    {
+        if (file.find_first_of(std::string_view("\0\n\r", 3)) != std::string::npos)
+        {
+            throw InputError(fmt::format("geometry.file ({}): got {}, expected a path", where, describe(value)));
+        }
+        file = fs::absolute(base / file).lexically_normal().string();
+    }
+}
+
+void CaseReader::read_text(std::string_view text, const std::string& name, const fs::path& base_directory)
+{
+    for (const TomlEntry& entry : parse_toml(text, name))
+    {
+        const std::string where = fmt::format("{}:{}", printable(name), entry.line);
+        if (entry.section == "expect")
+        {
+            continue;
+        }
+        if (entry.is_section && !is_section(entry.section))
+        {
+            throw unknown_section(entry.section, where);
+        }
+        if (!entry.is_section)
+        {
+            if (entry.section.empty() && (is_section(entry.key) || entry.key == "expect"))
+            {
+                throw InputError(fmt::format("{} ({}): got {}, expected a section: [{}]", entry.key, where,
+                                             describe(entry.value), entry.key));
+            }
+            assign_at(entry.key, entry.value, where, base_directory);
+        }
+    }
+}
+
+void CaseReader::override_one(const std::string& text)
+{
+    const auto equals = text.find('=');
+    const std::string where = "--set " + printable(text);
+    if (equals == std::string::npos)
+    {
+        throw InputError(fmt::format("--set: got \"{}\", expected section.key=value", printable(text)));
+    }
+    const std::string key = trimmed(std::string_view(text).substr(0, equals));
+    const Parameter* parameter = find_parameter(key);
+    if (parameter == nullptr)
+    {
+        throw unknown_key(key, where);
+    }
+    assign_at(key, override_value(*parameter, trimmed(std::string_view(text).substr(equals + 1))), where, "");
+    overridden_.insert(key);
+}
+
+/// Back to the value of a default-constructed Options.
+void CaseReader::forget(const std::string& key)
+{
+    if (key == "geometry.spacing_mm")
+    {
+        options_.geometry.spacing_mm.reset();
+    }
+    else if (key == "geometry.particles")
+    {
+        options_.geometry.particles.reset();
+    }
+    else
+    {
+        const Parameter* parameter = find_parameter(key);
+        parameter->set(options_, parameter->get(Options{}));
+    }
+    places_.erase(key);
+}
+
+/// Of two keys that exclude each other an override beats what the file says.
+void CaseReader::settle_alternatives()
+{
+    const auto replace = [&](const char* key, const char* other)
+    {
+        if (overridden_.contains(key) && !overridden_.contains(other))
+        {
+            forget(other);
+        }
+    };
+    replace("geometry.spacing_mm", "geometry.particles");
+    replace("geometry.particles", "geometry.spacing_mm");
+    replace("output.count", "output.times");
+}
+
+void CaseReader::read_overrides(std::span<const std::string> overrides)
+{
+    for (const std::string& text : overrides)
+    {
+        override_one(text);
+    }
+    settle_alternatives();
+}
+
+Options CaseReader::finish()
+{
+    GeometryOptions& geometry = options_.geometry;
+    if (!geometry.spacing_mm && !geometry.particles)
+    {
+        geometry.particles = default_particles;
+    }
+    check_case(options_,
+               [&](std::string_view key)
+               {
+                   const auto found = places_.find(key);
+                   return found == places_.end() ? std::string() : " (" + found->second + ")";
+               });
+    return options_;
+}
+
+/// Sections and keys that a resumed run may change.
+bool may_change(const Parameter& parameter)
+{
+    return parameter.section() == "output" || parameter.key == "time.end";
+}
+
+} // namespace
+
+Options parse_case(std::string_view text, const std::string& name, std::span<const std::string> overrides,
+                   const fs::path& base_directory)
+{
+    CaseReader reader;
+    reader.read_text(text, name, base_directory);
+    reader.read_overrides(overrides);
+    return reader.finish();
+}
+
+Options read_case(const fs::path& file, std::span<const std::string> overrides)
+{
+    return parse_case(read_case_text(file), file.string(), overrides, file.parent_path());
+}
+
+std::vector<std::string> differing_keys(std::string_view resolved_a, std::string_view resolved_b)
+{
+    const Options a = parse_case(resolved_a, "the first case", {}, "");
+    const Options b = parse_case(resolved_b, "the second case", {}, "");
+    const auto shown = [](const std::string& text) { return text.empty() ? std::string("not given") : text; };
+    std::vector<std::string> result;
+    for (const Parameter& parameter : parameters())
+    {
+        const std::string value_a = toml_text(parameter.get(a));
+        const std::string value_b = toml_text(parameter.get(b));
+        if (value_a != value_b && !may_change(parameter))
+        {
+            result.push_back(fmt::format("{}: {} -> {}", parameter.key, shown(value_a), shown(value_b)));
+        }
+    }
+    return result;
+}
+
+} // namespace corticle

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "corticle/config/options.hpp"
+#include "corticle/config/value.hpp"
+
+#include <functional>
+#include <limits>
+#include <span>
+
+// The one table of parameters: parsing, messages, resolved cases and the schema derive from it.
+
+namespace corticle
+{
+
+/// Particles of a case that gives neither geometry.particles nor geometry.spacing_mm.
+inline constexpr std::int64_t default_particles = 45000;
+inline constexpr std::int64_t fewest_particles = 500;
+inline constexpr std::int64_t most_particles = 100'000'000;
+
+/// Numbers between two bounds, each with or without the bound itself.
+struct Range
+{
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
+    bool low_open = false;
+
+    bool contains(double value) const;
+    std::string text() const; ///< "> 0", ">= 1", "(0, 1]", or "" without bounds
+};
+
+enum class Kind
+{
+    boolean,
+    integer,
+    real,
+    text,
+    choice,
+    list ///< of numbers
+};
+
+/// What a user may set.
+struct Parameter
+{
+    std::string key; ///< "section.key"
+    Kind kind = Kind::real;
+    std::string unit;
+    Range range;                      ///< of numbers, and of each number of a list
+    std::vector<std::string> choices; ///< of Kind::choice
+    std::size_t length = 0;           ///< of a list; 0: any length, increasing
+    std::string sentence;
+    std::function<Value(const Options&)> get; ///< Unsupported where an optional is not given
+    std::function<void(Options&, const Value&)> set;
+
+    std::string section() const { return key.substr(0, key.find('.')); }
+    std::string name() const { return key.substr(key.find('.') + 1); }
+    std::string kind_text() const;     ///< "number", "list of 3 numbers", ...
+    std::string expected_text() const; ///< kind, range and unit
+};
+
+/// Every parameter, in the order of sections and keys of a resolved case.
+std::span<const Parameter> parameters();
+
+/// Null when there is none of this key.
+const Parameter* find_parameter(std::string_view key);
+
+/// The valid key that `key` was probably meant to be; empty when none is near.
+std::string nearest_key(std::string_view key);
+/// The same for sections.
+std::string nearest_section(std::string_view section);
+
+/// Options of an empty case.
+Options default_options();
+
+/// Gives the parameter this value; `where` ("case.toml:4", "--set a.b=c") is used in the message.
+/// @throws InputError for a wrong type, a number out of range or not finite, an unknown choice.
+void assign(Options& options, const Parameter& parameter, const Value& value, const std::string& where);
+
+} // namespace corticle

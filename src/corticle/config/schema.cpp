@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+
+#include "corticle/config/case_file.hpp"
+#include "corticle/config/parameters.hpp"
+#include "corticle/config/starter.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace corticle
+{
+
+namespace
+{
+
+std::string kind_column(const Parameter& parameter)
+{
+    switch (parameter.kind)
+    {
+    case Kind::boolean:
+        return "boolean";
+    case Kind::integer:
+        return "integer";
+    case Kind::real:
+        return "number";
+    case Kind::list:
+        return parameter.length > 0 ? fmt::format("{} numbers", parameter.length) : "list of numbers";
+    default:
+        return "string";
+    }
+}
+
+std::string range_column(const Parameter& parameter, std::string_view separator)
+{
+    return parameter.kind == Kind::choice ? fmt::format("\"{}\"", fmt::join(parameter.choices, separator))
+                                          : parameter.range.text();
+}
+
+std::string default_column(const Parameter& parameter)
+{
+    const std::string text = toml_text(parameter.get(default_options()));
+    return text.empty() ? "none" : text;
+}
+
+/// Calls `section(name)` at the first parameter of each section, then `one(parameter)` for each.
+template <class Section, class One>
+void each_parameter(Section&& section, One&& one)
+{
+    std::string current;
+    for (const Parameter& parameter : parameters())
+    {
+        if (parameter.section() != current)
+        {
+            current = parameter.section();
+            section(current);
+        }
+        one(parameter);
+    }
+}
+
+/// Keys of [geometry] that only another shape uses.
+bool is_of_other_shape(const Parameter& parameter, std::string_view shape)
+{
+    const std::string& key = parameter.key;
+    return (key == "geometry.radius_mm" && shape != "sphere") ||
+           (key == "geometry.semi_axes_mm" && shape != "ellipsoid") ||
+           ((key == "geometry.file" || key == "geometry.unit") && shape != "file") || key == "geometry.spacing_mm";
+}
+
+} // namespace
+
+std::string to_toml(const Options& options)
+{
+    std::string text = "# Corticle case, every key with its value.\n";
+    each_parameter([&](const std::string& section) { text += fmt::format("\n[{}]\n", section); },
+                   [&](const Parameter& parameter)
+                   {
+                       const std::string value = toml_text(parameter.get(options));
+                       if (!value.empty())
+                       {
+                           text += fmt::format("{} = {}{}\n", parameter.name(), value,
+                                               parameter.unit.empty() ? "" : "  # [" + parameter.unit + "]");
+                       }
+                   });
+    return text;
+}
+
+std::string starter_case(const std::string& shape)
+{
+    Options options = default_options();
+    options.geometry.shape = shape;
+    options.geometry.file = shape == "file" ? "surface.stl" : "";
+    std::string text = "# A starter case: every key with its default. Delete what you do not change.\n"
+                       "# `corticle check` prints what a case comes to, `corticle run` runs it.\n";
+    each_parameter([&](const std::string& section) { text += fmt::format("\n[{}]\n", section); },
+                   [&](const Parameter& parameter)
+                   {
+                       const std::string value = toml_text(parameter.get(options));
+                       const std::string range = range_column(parameter, "\", \"");
+                       text += fmt::format("# {}{}{}\n", parameter.sentence,
+                                           parameter.unit.empty() ? "" : " Unit: " + parameter.unit + ".",
+                                           range.empty() ? "" : " Range: " + range + ".");
+                       text += fmt::format("{}{} = {}\n", is_of_other_shape(parameter, shape) ? "# " : "",
+                                           parameter.name(), value.empty() ? "0.5" : value);
+                   });
+    return text;
+}
+
+std::string schema_text()
+{
+    std::size_t key_width = 0;
+    std::size_t default_width = 0;
+    for (const Parameter& parameter : parameters())
+    {
+        key_width = std::max(key_width, parameter.name().size());
+        default_width = std::max(default_width, default_column(parameter).size());
+    }
+    std::string text;
+    each_parameter(
+        [&](const std::string& section) { text += fmt::format("{}[{}]\n", text.empty() ? "" : "\n", section); },
+        [&](const Parameter& parameter)
+        {
+            text += fmt::format("  {:<{}}  {:<15}  {:<{}}  {:<10}  {}\n", parameter.name(), key_width,
+                                kind_column(parameter), default_column(parameter), default_width,
+                                parameter.unit.empty() ? "-" : parameter.unit, range_column(parameter, "\" | \""));
+            text += fmt::format("  {:<{}}  {}\n", "", key_width, parameter.sentence);
+        });
+    return text;
+}
+
+std::string schema_markdown()
+{
+    std::string text;
+    each_parameter(
+        [&](const std::string& section)
+        {
+            text += fmt::format("{}## [{}]\n\n| key | type | unit | default | range | meaning |\n"
+                                "|---|---|---|---|---|---|\n",
+                                text.empty() ? "" : "\n", section);
+        },
+        [&](const Parameter& parameter)
+        {
+            const std::string range = range_column(parameter, "\", \"");
+            text += fmt::format("| `{}` | {} | {} | `{}` | {} | {} |\n", parameter.name(), kind_column(parameter),
+                                parameter.unit, default_column(parameter), range.empty() ? "" : "`" + range + "`",
+                                parameter.sentence);
+        });
+    return text;
+}
+
+} // namespace corticle

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/config/toml_document.hpp"
+
+#include "corticle/base/error.hpp"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+
+namespace corticle
+{
+
+namespace
+{
+
+constexpr std::size_t longest_text = 1 << 20;
+constexpr std::size_t most_key_dots = 2000;
+
+bool is_digit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+/// Dots that may join keys: all but those between the digits of one number. They bound how deep tables nest, which
+/// matters because the tables of the parser are freed recursively; brackets are bounded by the parser itself.
+std::size_t count_key_dots(std::string_view text)
+{
+    std::size_t dots = 0;
+    bool number = false; // one dot between digits already seen in this word
+    for (std::size_t i = 0; i < text.size(); ++i)
+    {
+        const char c = text[i];
+        if (c == '.')
+        {
+            const bool between = i > 0 && i + 1 < text.size() && is_digit(text[i - 1]) && is_digit(text[i + 1]);
+            dots += between && !number ? 0 : 1;
+            number = true;
+        }
+        else if (c == ' ' || c == ',' || c == '\n' || c == '\t' || c == '[' || c == ']')
+        {
+            number = false;
+        }
+    }
+    return dots;
+}
+
+std::optional<double> number_of(const toml::node& node)
+{
+    if (const auto* real = node.as_floating_point())
+    {
+        return real->get();
+    }
+    if (const auto* integer = node.as_integer())
+    {
+        return static_cast<double>(integer->get());
+    }
+    return std::nullopt;
+}
+
+Value list_value(const toml::array& list)
+{
+    std::vector<double> numbers;
+    numbers.reserve(list.size());
+    for (const toml::node& element : list)
+    {
+        const std::optional<double> number = number_of(element);
+        if (!number)
+        {
+            return Unsupported{element.is_table() ? "a list of tables" : "a list of other things than numbers"};
+        }
+        numbers.push_back(*number);
+    }
+    return numbers;
+}
+
+Value value_of(const toml::node& node)
+{
+    if (const auto* flag = node.as_boolean())
+    {
+        return flag->get();
+    }
+    if (const auto* integer = node.as_integer())
+    {
+        return integer->get();
+    }
+    if (const auto* real = node.as_floating_point())
+    {
+        return real->get();
+    }
+    if (const auto* text = node.as_string())
+    {
+        return text->get();
+    }
+    if (const auto* list = node.as_array())
+    {
+        return list_value(*list);
+    }
+    return Unsupported{node.is_table() ? "a table" : "a date or time"};
+}
+
+std::vector<TomlEntry> flatten(const toml::table& document)
+{
+    std::vector<TomlEntry> entries;
+    for (auto&& [name, node] : document)
+    {
+        const std::string section{name.str()};
+        const auto* table = node.as_table();
+        if (table == nullptr)
+        {
+            entries.push_back({section, "", false, name.source().begin.line, value_of(node)});
+            continue;
+        }
+        entries.push_back({section, section, true, name.source().begin.line, Unsupported{"a table"}});
+        for (auto&& [key, value] : *table)
+        {
+            entries.push_back(
+                {section + "." + std::string(key.str()), section, false, key.source().begin.line, value_of(value)});
+        }
+    }
+    std::stable_sort(entries.begin(), entries.end(),
+                     [](const TomlEntry& a, const TomlEntry& b) { return a.line < b.line; });
+    return entries;
+}
+
+} // namespace
+
+std::vector<TomlEntry> parse_toml(std::string_view text, const std::string& name)
+{
+    if (text.size() > longest_text)
+    {
+        throw InputError(fmt::format("{} is no case: got {} bytes, expected at most {}", printable(name), text.size(),
+                                     longest_text));
+    }
+    if (count_key_dots(text) > most_key_dots)
+    {
+        throw InputError(
+            fmt::format("{} is no case: its keys nest too deep (more than {} dots)", printable(name), most_key_dots));
+    }
+    try
+    {
+        return flatten(toml::parse(text));
+    }
+    catch (const toml::parse_error& error)
+    {
+        throw InputError(fmt::format("{}:{}: not TOML: {}", printable(name), error.source().begin.line,
+                                     printable(error.description(), 200)));
+    }
+}
+
+std::optional<Value> parse_toml_value(std::string_view text)
+{
+    if (text.size() > longest_text || text.find_first_of("\r\n") != std::string_view::npos ||
+        count_key_dots(text) > most_key_dots)
+    {
+        return std::nullopt;
+    }
+    try
+    {
+        const toml::table document = toml::parse("value = " + std::string(text));
+        return value_of(*document.get("value"));
+    }
+    catch (const toml::parse_error&)
+    {
+        return std::nullopt;
+    }
+}
+
+} // namespace corticle

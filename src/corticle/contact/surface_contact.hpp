@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/contact/candidates.hpp"
+#include "corticle/contact/options.hpp"
+
+namespace corticle
+{
+
+/// What one evaluation of the contact forces tells.
+struct ContactResponse
+{
+    double energy = 0.0;           ///< sum of k (gap - d)² / 2 [mu_w mm³]
+    double dissipated_power = 0.0; ///< by the normal damping [mu_w mm³ per unit of time]
+    std::int64_t active = 0;       ///< pairs that push
+};
+
+/// Self-contact of a closed surface: vertex against triangle and edge against edge, on current positions.
+///
+/// A pair closer than its gap repels along the line between its closest points with k (gap - d), and is damped
+/// critically while it approaches. k = stiffness · m_eff / dt²: as stiff as the step allows, whatever the material.
+/// Only the closest triangle of a vertex and the mutually closest edges push. Pairs that are closer than dhat in the
+/// reference have that distance as their gap: rest is free of contact stress.
+/// No vertex may move in one step more than 0.4 of its distance to the nearest primitive it is no part of
+/// (`travel_limit`), so two surfaces cannot cross.
+class SurfaceContact
+{
+  public:
+    /// @param rest     reference positions of the surface vertices [mm]
+    /// @param masses   of the vertices
+    /// @param spacing  particle spacing [mm]
+    SurfaceContact(std::vector<Triangle> triangles, std::span<const Vec3> rest, std::vector<double> masses, double spacing,
+                   const ContactOptions& options);
+
+    /// Adds the contact forces at positions x with velocities v to `forces` (all per surface vertex) and sets the travel limits.
+    /// @param dt  the step the stiffness is scaled to
+    ContactResponse evaluate(std::span<const Vec3> x, std::span<const Vec3> v, double dt, std::span<Vec3> forces);
+
+    /// Largest displacement of each vertex in the next step [mm].
+    std::span<const double> travel_limit() const { return travel_limit_; }
+
+    /// Distance below which surfaces repel [mm].
+    double activation_distance() const { return dhat_; }
+
+  private:
+    struct Push
+    {
+        double distance = 0.0;
+        Vec3 direction;               ///< unit, from the second to the first
+        std::array<double, 4> weight; ///< of the four vertices: positive on the first primitive, negative on the second
+    };
+    std::array<std::int32_t, 4> vertices_of(const VertexTriangle& pair) const;
+    std::array<std::int32_t, 4> vertices_of(const EdgeEdge& pair) const;
+    Push measure(const VertexTriangle& pair, std::span<const Vec3> x) const;
+    Push measure(const EdgeEdge& pair, std::span<const Vec3> x) const;
+    template <class Pair>
+    void measure_all(std::span<const Pair> pairs, std::span<const Vec3> x, std::vector<Push>& pushes) const;
+    void apply(const std::array<std::int32_t, 4>& vertex, const Push& push, double gap, std::span<const Vec3> v, double dt,
+               std::span<Vec3> forces, ContactResponse& response) const;
+    void limit_travel(const std::array<std::int32_t, 4>& vertex, double distance);
+    void refresh_candidates(std::span<const Vec3> x);
+    void push_vertices(std::span<const Vec3> v, double dt, std::span<Vec3> forces, ContactResponse& response);
+    void push_edges(std::span<const Vec3> v, double dt, std::span<Vec3> forces, ContactResponse& response);
+
+    std::vector<Triangle> triangles_;
+    std::vector<Edge> edges_;
+    std::vector<double> masses_;
+    double dhat_;
+    double skin_;
+    double stiffness_;
+    std::vector<double> vertex_gap_; ///< [mm]
+    std::vector<double> edge_gap_;   ///< [mm]
+
+    // Scratch: nothing below changes what the next evaluation gives.
+    Candidates candidates_;
+    std::vector<Vec3> listed_at_; ///< positions the candidates were found at
+    std::vector<Push> vertex_push_;
+    std::vector<Push> edge_push_;
+    std::vector<std::int32_t> closest_pair_; ///< per edge: its closest candidate, or -1
+    std::vector<double> travel_limit_;
+};
+
+} // namespace corticle

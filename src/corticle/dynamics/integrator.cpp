@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/dynamics/integrator.hpp"
+
+#include "corticle/base/parallel.hpp"
+
+namespace corticle
+{
+
+StepEnergies advance(const Motion& from, std::span<const double> mass, std::span<const double> travel_limit, double dt, double damping,
+                     Motion& to)
+{
+    const double decay = std::exp(-damping * dt);
+    const auto count = static_cast<std::int64_t>(mass.size());
+    return parallel_reduce(
+        count, StepEnergies{},
+        [&](std::int64_t begin, std::int64_t end)
+        {
+            StepEnergies sum;
+            for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+            {
+                const double half_mass = 0.5 * mass[i];
+                const Vec3 driven = from.v[i] + (dt / mass[i]) * from.force[i];
+                Vec3 velocity = decay * driven;
+                const double damped_energy = half_mass * squared_norm(velocity);
+                sum.damped += half_mass * squared_norm(driven) - damped_energy;
+                const double travel = dt * norm(velocity);
+                if (travel > travel_limit[i])
+                {
+                    velocity *= travel_limit[i] / travel;
+                    sum.stopped += damped_energy - half_mass * squared_norm(velocity);
+                    ++sum.limited;
+                }
+                sum.kinetic += half_mass * squared_norm(velocity);
+                to.v[i] = velocity;
+                to.x[i] = from.x[i] + dt * velocity;
+            }
+            return sum;
+        },
+        [](StepEnergies& total, const StepEnergies& part)
+        {
+            total.kinetic += part.kinetic;
+            total.damped += part.damped;
+            total.stopped += part.stopped;
+            total.limited += part.limited;
+        });
+}
+
+} // namespace corticle

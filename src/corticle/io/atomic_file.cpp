@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/io/atomic_file.hpp"
+
+#include "corticle/base/error.hpp"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <cerrno>
+#include <exception>
+#include <string>
+#include <system_error>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace corticle
+{
+
+namespace
+{
+
+std::string reason_of(int code)
+{
+    return std::generic_category().message(code);
+}
+
+[[noreturn]] void fail(const std::filesystem::path& file, const std::string& reason)
+{
+    throw RunError(fmt::format("cannot write {}: {}", file.string(), reason));
+}
+
+/// A file descriptor that closes itself.
+class Descriptor
+{
+  public:
+    Descriptor(const std::filesystem::path& path, int flags) : fd_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    ~Descriptor()
+    {
+        if (fd_ >= 0)
+        {
+            ::close(fd_);
+        }
+    }
+    int get() const { return fd_; }
+
+    /// Closes now; false, with errno set, when the system could not keep what was written.
+    bool close()
+    {
+        const int fd = fd_;
+        fd_ = -1;
+        return ::close(fd) == 0;
+    }
+
+  private:
+    int fd_;
+};
+
+/// A name in the same folder that no other process or thread uses.
+std::filesystem::path temporary_beside(const std::filesystem::path& file)
+{
+    static std::atomic<unsigned> counter{0};
+    const auto name = fmt::format(".{}.{}-{}.tmp", file.filename().string(), ::getpid(), counter.fetch_add(1));
+    return file.parent_path() / name;
+}
+
+void flush_to_disk(const std::filesystem::path& file, const std::filesystem::path& temporary)
+{
+    Descriptor descriptor(temporary, O_RDONLY);
+    if (descriptor.get() < 0 || ::fsync(descriptor.get()) != 0)
+    {
+        fail(file, reason_of(errno));
+    }
+}
+
+/// Makes the rename itself durable. Some file systems refuse to flush a folder: nothing is lost but durability.
+void flush_folder(const std::filesystem::path& file)
+{
+    const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+    Descriptor descriptor(folder, O_RDONLY | O_DIRECTORY);
+    if (descriptor.get() >= 0)
+    {
+        ::fsync(descriptor.get());
+    }
+}
+
+void write_all(const std::filesystem::path& file, const std::filesystem::path& temporary, std::string_view text)
+{
+    Descriptor descriptor(temporary, O_WRONLY | O_CREAT | O_TRUNC);
+    if (descriptor.get() < 0)
+    {
+        fail(file, reason_of(errno));
+    }
+    while (!text.empty())
+    {
+        const ssize_t written = ::write(descriptor.get(), text.data(), text.size());
+        if (written < 0 && errno == EINTR)
+        {
+            continue;
+        }
+        if (written <= 0)
+        {
+            fail(file, reason_of(written < 0 ? errno : ENOSPC));
+        }
+        text.remove_prefix(static_cast<std::size_t>(written));
+    }
+    if (!descriptor.close())
+    {
+        fail(file, reason_of(errno));
+    }
+}
+
+} // namespace
+
+void write_atomically(const std::filesystem::path& file, const std::function<void(const std::filesystem::path&)>& write)
+{
+    const std::filesystem::path temporary = temporary_beside(file);
+    try
+    {
+        write(temporary);
+        flush_to_disk(file, temporary);
+        if (::rename(temporary.c_str(), file.c_str()) != 0)
+        {
+            fail(file, reason_of(errno));
+        }
+    }
+    catch (const RunError&)
+    {
+        ::unlink(temporary.c_str());
+        throw;
+    }
+    catch (const std::exception& error)
+    {
+        ::unlink(temporary.c_str());
+        fail(file, error.what());
+    }
+    flush_folder(file);
+}
+
+void write_text_atomically(const std::filesystem::path& file, std::string_view text)
+{
+    write_atomically(file, [&](const std::filesystem::path& temporary) { write_all(file, temporary, text); });
+}
+
+} // namespace corticle

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/io/pictures.hpp"
+
+#include <filesystem>
+#include <string>
+
+class vtkImageData;
+class vtkLookupTable;
+template <class T>
+class vtkSmartPointer;
+class vtkRenderer;
+class vtkRenderWindow;
+
+namespace corticle
+{
+
+/// Keeps VTK from printing; what fails is thrown instead.
+class QuietVtk
+{
+  public:
+    QuietVtk();
+    QuietVtk(const QuietVtk&) = delete;
+    QuietVtk& operator=(const QuietVtk&) = delete;
+    ~QuietVtk();
+
+  private:
+    int shown_;
+};
+
+/// A window in memory of `width` x `height` pixels.
+void set_up_window(vtkRenderWindow* window, int width, int height);
+
+struct TextStyle
+{
+    int size = 24;      ///< [px]
+    int align = 0;      ///< -1 left, 0 centred, 1 right
+    double angle = 0.0; ///< [degrees]
+    bool is_bold = false;
+};
+/// Text at a place of the viewport [px].
+void add_text(vtkRenderer* renderer, const std::string& text, double x, double y, const TextStyle& style);
+
+/// An image whose lower left corner is at (x, y) [px].
+void add_image(vtkRenderer* renderer, vtkImageData* image, double x, double y);
+
+/// 256 colours of a scale.
+void fill_lookup_table(vtkLookupTable* table, const ColorScale& scale);
+
+/// A vertical colour bar with ticks whose lower left corner is at (x, y) [px], `height` tall; its label stands above.
+void add_color_bar(vtkRenderer* renderer, const ColorScale& scale, double x, double y, double height);
+
+/// Renders, and returns the picture with `samples` x `samples` pixels averaged into one.
+vtkSmartPointer<vtkImageData> grab_picture(vtkRenderWindow* window, int samples);
+
+/// Renders and writes a PNG, whole or not at all. @throws RunError
+void save_picture(vtkRenderWindow* window, const std::filesystem::path& png);
+
+} // namespace corticle

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/io/color_map.hpp"
+#include "corticle/io/display.hpp"
+#include "corticle/io/picture_window.hpp"
+#include "corticle/io/pictures.hpp"
+#include "corticle/io/plane_section.hpp"
+
+#include <fmt/format.h>
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace corticle
+{
+
+namespace
+{
+
+constexpr int picture_width = 1600;
+constexpr int picture_height = 800;
+constexpr int panel_width = 660; // [px], as are the places below
+constexpr int panel_height = 660;
+constexpr int panel_bottom = 60;
+constexpr int theta_left = 5;
+constexpr int scalar_left = 800;
+constexpr int bar_gap = 10;
+
+/// The same scale on the page for both panels: centred on the surface.
+PixelGrid pixel_grid(std::span<const Vec3> points, const Plane& plane, double half_width)
+{
+    Vec3 low = points.front();
+    Vec3 high = points.front();
+    for (const Vec3& point : points)
+    {
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            low[axis] = std::min(low[axis], point[axis]);
+            high[axis] = std::max(high[axis], point[axis]);
+        }
+    }
+    const Vec3 size = high - low;
+    const Vec3 center = 0.5 * (low + high);
+    const double fitting = 0.51 * std::max(size[plane.right()], size[plane.up()]);
+    const double shown = std::max(half_width > 0.0 ? half_width : fitting, std::numeric_limits<double>::min());
+    const double pixel = 2.0 * shown / panel_width;
+    return {panel_width, panel_height, center[plane.right()] - shown, center[plane.up()] - 0.5 * pixel * panel_height,
+            pixel};
+}
+
+/// Colours each pixel by the value of its particle; white where there is none.
+vtkNew<vtkImageData> colored_image(const PixelGrid& grid, std::span<const std::int32_t> nearest,
+                                   std::span<const double> values, const ColorScale& scale)
+{
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(grid.width, grid.height, 1);
+    image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+    auto* pixels = static_cast<unsigned char*>(image->GetScalarPointer());
+    const double span = scale.high > scale.low ? scale.high - scale.low : 1.0;
+    for (std::size_t i = 0; i < nearest.size(); ++i)
+    {
+        const Color color =
+            nearest[i] < 0 ? Color{1, 1, 1}
+                           : map_color(scale.map, (values[static_cast<std::size_t>(nearest[i])] - scale.low) / span);
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+            pixels[3 * i + k] = static_cast<unsigned char>(std::lround(255.0 * color[k]));
+        }
+    }
+    return image;
+}
+
+/// Draws the outline in black, with soft edges, into an image.
+void draw_outline(vtkImageData* image, std::span<const Segment> outline, const PixelGrid& grid)
+{
+    constexpr double half_line = 0.8; // [px]
+    auto* pixels = static_cast<unsigned char*>(image->GetScalarPointer());
+    // How much of each pixel the line covers: the most that any of its pieces covers, lest joints come out darker.
+    std::vector<double> cover(static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height), 0.0);
+    for (const Segment& segment : outline)
+    {
+        const Vec3 from{(segment.from[0] - grid.left) / grid.pixel - 0.5,
+                        (segment.from[1] - grid.bottom) / grid.pixel - 0.5, 0.0};
+        const Vec3 to{(segment.to[0] - grid.left) / grid.pixel - 0.5, (segment.to[1] - grid.bottom) / grid.pixel - 0.5,
+                      0.0};
+        const auto bound = [](double place, int count)
+        { return static_cast<int>(std::clamp(place, -1.0, 1.0 * count)); };
+        const int first_x = std::max(bound(std::min(from.x, to.x) - 2.0, grid.width), 0);
+        const int last_x = std::min(bound(std::max(from.x, to.x) + 2.0, grid.width), grid.width - 1);
+        const int first_y = std::max(bound(std::min(from.y, to.y) - 2.0, grid.height), 0);
+        const int last_y = std::min(bound(std::max(from.y, to.y) + 2.0, grid.height), grid.height - 1);
+        const double squared_length = std::max(squared_norm(to - from), std::numeric_limits<double>::min());
+        for (int y = first_y; y <= last_y; ++y)
+        {
+            for (int x = first_x; x <= last_x; ++x)
+            {
+                const Vec3 place{1.0 * x, 1.0 * y, 0.0};
+                const double along = std::clamp(dot(place - from, to - from) / squared_length, 0.0, 1.0);
+                const double distance = norm(place - from - along * (to - from));
+                double& covered = cover[static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.width) +
+                                        static_cast<std::size_t>(x)];
+                covered = std::max(covered, std::clamp(half_line + 0.5 - distance, 0.0, 1.0));
+            }
+        }
+    }
+    for (std::size_t i = 0; i < 3 * cover.size(); ++i)
+    {
+        pixels[i] = static_cast<unsigned char>(std::lround((1.0 - cover[i / 3]) * pixels[i]));
+    }
+}
+
+std::string caption_of(const Plane& plane)
+{
+    constexpr std::string_view names = "xyz";
+    const auto name = [&](int axis) { return names[static_cast<std::size_t>(axis)]; };
+    return fmt::format("section at {} = {:.4g} mm; {} to the right, {} up", name(plane.axis), plane.coordinate,
+                       name(plane.right()), name(plane.up()));
+}
+
+} // namespace
+
+void render_cut(const std::filesystem::path& png, std::span<const Vec3> particles, std::span<const double> theta,
+                std::span<const double> scalar, std::span<const Vec3> surface_points,
+                std::span<const Triangle> triangles, const ColorScale& scale, int axis, double coordinate,
+                const std::string& title, double half_width)
+{
+    assert(!surface_points.empty() && theta.size() == particles.size() && scalar.size() == particles.size());
+    assert(axis >= 0 && axis < 3);
+    require_display(png);
+    const QuietVtk quiet;
+    const Plane plane{axis, coordinate};
+    const PixelGrid grid = pixel_grid(surface_points, plane, half_width);
+    const std::vector<Segment> outline = section_outline(surface_points, triangles, plane);
+    const std::vector<std::int32_t> nearest = nearest_particles(particles, plane, grid, inside_mask(outline, grid));
+
+    vtkNew<vtkRenderWindow> window;
+    set_up_window(window, picture_width, picture_height);
+    vtkNew<vtkRenderer> renderer;
+    renderer->SetBackground(1, 1, 1);
+    window->AddRenderer(renderer);
+    const auto add_panel = [&](std::span<const double> values, const ColorScale& colors, int left)
+    {
+        const vtkNew<vtkImageData> image = colored_image(grid, nearest, values, colors);
+        draw_outline(image, outline, grid);
+        add_image(renderer, image, left, panel_bottom);
+        add_color_bar(renderer, colors, left + panel_width + bar_gap, panel_bottom + 100, panel_height - 200);
+    };
+    add_panel(theta, {"cortex fraction [-]", 0.0, 1.0, "tissue"}, theta_left);
+    add_panel(scalar, scale, scalar_left);
+    add_text(renderer, title, 0.5 * picture_width, picture_height - 30, {.size = 26, .is_bold = true});
+    add_text(renderer, caption_of(plane), 0.5 * picture_width, 25, {.size = 20});
+    save_picture(window, png);
+}
+
+} // namespace corticle

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/io/display.hpp"
+#include "corticle/io/picture_window.hpp"
+#include "corticle/io/pictures.hpp"
+
+#include <vtkAxis.h>
+#include <vtkChartLegend.h>
+#include <vtkChartXY.h>
+#include <vtkContextActor.h>
+#include <vtkContextScene.h>
+#include <vtkDoubleArray.h>
+#include <vtkNew.h>
+#include <vtkPen.h>
+#include <vtkPlot.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkTable.h>
+#include <vtkTextProperty.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace corticle
+{
+
+namespace
+{
+
+constexpr int columns = 3;
+constexpr int panel_width = 600;  // [px]
+constexpr int panel_height = 420; // [px]
+constexpr int title_height = 60;  // [px]
+
+// Told apart by those who see red and green alike: M. Okabe and K. Ito (2008).
+constexpr std::array<std::array<unsigned char, 3>, 7> line_colors{
+    {{0, 114, 178}, {213, 94, 0}, {0, 158, 115}, {204, 121, 167}, {86, 180, 233}, {230, 159, 0}, {60, 60, 60}}};
+
+struct Range
+{
+    double low = std::numeric_limits<double>::infinity();
+    double high = -std::numeric_limits<double>::infinity();
+
+    void include(double value)
+    {
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+    /// The range with a margin on both sides; never empty.
+    Range widened(double fraction) const
+    {
+        if (!(low <= high))
+        {
+            return {0.0, 1.0};
+        }
+        const double size = std::max(high - low, 1e-9 * std::max(std::abs(low), std::abs(high)));
+        const double margin = size > 0.0 && high > low ? fraction * size : std::max(0.05 * std::abs(low), 1e-3);
+        return {low - margin, high + margin};
+    }
+};
+
+/// The points of a curve that are finite.
+vtkNew<vtkTable> table_of(const Curve& curve, Range& x_range, Range& y_range)
+{
+    vtkNew<vtkDoubleArray> x;
+    vtkNew<vtkDoubleArray> y;
+    x->SetName("x");
+    y->SetName(curve.label.empty() ? "y" : curve.label.c_str());
+    for (std::size_t i = 0; i < std::min(curve.x.size(), curve.y.size()); ++i)
+    {
+        if (std::isfinite(curve.x[i]) && std::isfinite(curve.y[i]))
+        {
+            x->InsertNextValue(curve.x[i]);
+            y->InsertNextValue(curve.y[i]);
+            x_range.include(curve.x[i]);
+            y_range.include(curve.y[i]);
+        }
+    }
+    vtkNew<vtkTable> table;
+    table->AddColumn(x);
+    table->AddColumn(y);
+    return table;
+}
+
+void style_axis(vtkAxis* axis, const std::string& label, const Range& range)
+{
+    axis->SetTitle(label);
+    axis->SetBehavior(vtkAxis::FIXED);
+    axis->SetRange(range.low, range.high);
+    axis->GetTitleProperties()->SetFontSize(20);
+    axis->GetTitleProperties()->SetBold(false);
+    axis->GetLabelProperties()->SetFontSize(17);
+    axis->GetGridPen()->SetColor(228, 228, 228);
+    axis->GetPen()->SetColor(60, 60, 60);
+    axis->GetPen()->SetWidth(1.5f);
+}
+
+/// The corner of the panel where the fewest points lie, for the legend: (horizontal, vertical) alignment.
+std::array<int, 2> free_corner(const Panel& panel, const Range& x_range, const Range& y_range)
+{
+    constexpr double corner_size = 0.35;
+    std::array<std::array<int, 2>, 2> points{}; // [right][top]
+    for (const Curve& curve : panel.curves)
+    {
+        for (std::size_t i = 0; i < std::min(curve.x.size(), curve.y.size()); ++i)
+        {
+            const double x = (curve.x[i] - x_range.low) / (x_range.high - x_range.low);
+            const double y = (curve.y[i] - y_range.low) / (y_range.high - y_range.low);
+            if (std::min(x, 1.0 - x) < corner_size && std::min(y, 1.0 - y) < corner_size)
+            {
+                ++points[x > 0.5 ? 1 : 0][y > 0.5 ? 1 : 0];
+            }
+        }
+    }
+    std::array<std::size_t, 2> best{0, 1};
+    for (const auto& corner : {std::array<std::size_t, 2>{1, 1}, {1, 0}, {0, 0}})
+    {
+        best = points[corner[0]][corner[1]] < points[best[0]][best[1]] ? corner : best;
+    }
+    return {best[0] == 1 ? vtkChartLegend::RIGHT : vtkChartLegend::LEFT,
+            best[1] == 1 ? vtkChartLegend::TOP : vtkChartLegend::BOTTOM};
+}
+
+void fill_chart(vtkChartXY* chart, const Panel& panel)
+{
+    Range x_range;
+    Range y_range;
+    for (std::size_t c = 0; c < panel.curves.size(); ++c)
+    {
+        const vtkNew<vtkTable> table = table_of(panel.curves[c], x_range, y_range);
+        if (table->GetNumberOfRows() < 2)
+        {
+            continue; // VTK draws no line through less, and complains
+        }
+        vtkPlot* line = chart->AddPlot(vtkChart::LINE);
+        line->SetInputData(table, 0, 1);
+        const auto& color = line_colors[c % line_colors.size()];
+        line->SetColor(color[0], color[1], color[2], 255);
+        line->SetWidth(2.5f);
+        line->SetLabel(panel.curves[c].label);
+    }
+    style_axis(chart->GetAxis(vtkAxis::BOTTOM), panel.x_label, x_range.widened(0.0));
+    // The label of the upright axis stands above the panel, where it can be read and does not meet the ticks.
+    style_axis(chart->GetAxis(vtkAxis::LEFT), "", y_range.widened(0.05));
+    chart->SetTitle(panel.y_label);
+    chart->GetTitleProperties()->SetFontSize(21);
+    const std::array<int, 2> corner = free_corner(panel, x_range.widened(0.0), y_range.widened(0.05));
+    chart->SetShowLegend(panel.curves.size() > 1);
+    chart->GetLegend()->SetLabelSize(17);
+    chart->GetLegend()->SetInline(true);
+    chart->GetLegend()->SetHorizontalAlignment(corner[0]);
+    chart->GetLegend()->SetVerticalAlignment(corner[1]);
+}
+
+} // namespace
+
+void render_plot(const std::filesystem::path& png, std::span<const Panel> panels, const std::string& title)
+{
+    require_display(png);
+    const QuietVtk quiet;
+    const int count = std::max(1, static_cast<int>(panels.size()));
+    const int across = std::min(count, columns);
+    const int rows = (count + columns - 1) / columns;
+    const int width = across * panel_width;
+    const int height = rows * panel_height + title_height;
+
+    vtkNew<vtkRenderWindow> window;
+    set_up_window(window, width, height);
+    vtkNew<vtkRenderer> renderer;
+    renderer->SetBackground(1, 1, 1);
+    window->AddRenderer(renderer);
+    vtkNew<vtkContextActor> actor;
+    renderer->AddActor(actor);
+    vtkContextScene* scene = actor->GetScene();
+    scene->SetRenderer(renderer);
+    for (int i = 0; i < static_cast<int>(panels.size()); ++i)
+    {
+        vtkNew<vtkChartXY> chart;
+        fill_chart(chart, panels[static_cast<std::size_t>(i)]);
+        chart->SetAutoSize(false);
+        const int left = (i % columns) * panel_width;
+        const int bottom = (rows - 1 - i / columns) * panel_height;
+        chart->SetSize(vtkRectf(static_cast<float>(left + 10), static_cast<float>(bottom + 10), panel_width - 35,
+                                panel_height - 30));
+        scene->AddItem(chart);
+    }
+    add_text(renderer, title, 0.5 * width, height - 0.5 * title_height, {.size = 26, .is_bold = true});
+    window->Render(); // the first pass finds the room that labels need
+    scene->SetDirty(true);
+    save_picture(window, png);
+}
+
+} // namespace corticle

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/io/display.hpp"
+#include "corticle/io/picture_window.hpp"
+#include "corticle/io/pictures.hpp"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkLight.h>
+#include <vtkLookupTable.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderStepsPass.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkSSAOPass.h>
+#include <vtkSmartPointer.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <limits>
+
+namespace corticle
+{
+
+namespace
+{
+
+constexpr int picture_width = 1600; // [px], as are the places below
+constexpr int picture_height = 800;
+constexpr int panel_size = 700;
+constexpr int panel_bottom = 40;
+constexpr int bar_left = 1450;
+constexpr int samples = 2; // each pixel is the mean of 2 x 2
+
+/// A panel: where it lies in the picture [px] and from where it looks. Frame: x right, y anterior, z superior.
+struct View
+{
+    int left;
+    Vec3 from;
+    Vec3 up;
+    const char* caption;
+};
+
+constexpr std::array<View, 2> views{
+    {{10, {0, 0, 1}, {0, 1, 0}, "from above (+z)"}, {730, {1, 0, 0}, {0, 0, 1}, "from the right (+x)"}}};
+
+struct Box
+{
+    Vec3 low;
+    Vec3 high;
+
+    Vec3 center() const { return 0.5 * (low + high); }
+    /// Half of the longest edge [mm].
+    double half_width() const { return 0.5 * std::max({high.x - low.x, high.y - low.y, high.z - low.z}); }
+};
+
+Box bounding_box(std::span<const Vec3> points)
+{
+    Box box{points.front(), points.front()};
+    for (const Vec3& point : points)
+    {
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            box.low[axis] = std::min(box.low[axis], point[axis]);
+            box.high[axis] = std::max(box.high[axis], point[axis]);
+        }
+    }
+    return box;
+}
+
+vtkNew<vtkPolyData> polydata_of(std::span<const Vec3> points, std::span<const Triangle> triangles,
+                                std::span<const double> scalar)
+{
+    const std::vector<Vec3> normals = vertex_normals(points, triangles);
+    vtkNew<vtkPoints> positions;
+    vtkNew<vtkFloatArray> directions;
+    vtkNew<vtkDoubleArray> values;
+    directions->SetNumberOfComponents(3);
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        positions->InsertNextPoint(points[i].x, points[i].y, points[i].z);
+        directions->InsertNextTuple3(normals[i].x, normals[i].y, normals[i].z);
+        values->InsertNextValue(scalar.empty() ? 0.0 : scalar[i]);
+    }
+    vtkNew<vtkCellArray> cells;
+    for (const Triangle& triangle : triangles)
+    {
+        const std::array<vtkIdType, 3> corners{triangle[0], triangle[1], triangle[2]};
+        cells->InsertNextCell(3, corners.data());
+    }
+    vtkNew<vtkPolyData> surface;
+    surface->SetPoints(positions);
+    surface->SetPolys(cells);
+    surface->GetPointData()->SetNormals(directions);
+    surface->GetPointData()->SetScalars(values);
+    return surface;
+}
+
+/// A key light from the upper left and a weaker one beside the camera: sulci stay readable, gyri get a bright and a
+/// dark flank.
+void add_lights(vtkRenderer* renderer)
+{
+    const auto add = [&](const Vec3& from, double intensity)
+    {
+        vtkNew<vtkLight> light;
+        light->SetLightTypeToCameraLight();
+        light->SetPosition(from.x, from.y, from.z);
+        light->SetFocalPoint(0, 0, 0);
+        light->SetIntensity(intensity);
+        renderer->AddLight(light);
+    };
+    renderer->SetAutomaticLightCreation(false);
+    add({-1.0, 1.1, 1.4}, 0.72);
+    add({0.7, -0.4, 1.0}, 0.45);
+}
+
+/// Darkens what lies in sulci (ambient occlusion in screen space); `radius` [mm] is how far away a wall still shades.
+void add_occlusion(vtkRenderer* renderer, double radius)
+{
+    vtkNew<vtkRenderStepsPass> steps;
+    vtkNew<vtkSSAOPass> occlusion;
+    occlusion->SetRadius(radius);
+    occlusion->SetBias(0.05 * radius);
+    occlusion->SetKernelSize(32);
+    occlusion->BlurOn();
+    occlusion->SetDelegatePass(steps);
+    renderer->SetPass(occlusion);
+}
+
+void look(vtkRenderer* renderer, const View& view, const Vec3& center, double half_width)
+{
+    const Vec3 position = center + 10.0 * half_width * view.from;
+    vtkCamera* camera = renderer->GetActiveCamera();
+    camera->ParallelProjectionOn();
+    camera->SetFocalPoint(center.x, center.y, center.z);
+    camera->SetPosition(position.x, position.y, position.z);
+    camera->SetViewUp(view.up.x, view.up.y, view.up.z);
+    camera->SetParallelScale(half_width);
+    camera->SetClippingRange(7.0 * half_width, 13.0 * half_width);
+}
+
+/// The body, coloured by its scalars.
+vtkNew<vtkActor> body_of(vtkPolyData* surface, const ColorScale& scale)
+{
+    vtkNew<vtkLookupTable> colors;
+    fill_lookup_table(colors, scale);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(surface);
+    mapper->SetLookupTable(colors);
+    mapper->UseLookupTableScalarRangeOn();
+    mapper->InterpolateScalarsBeforeMappingOn();
+    vtkNew<vtkActor> body;
+    body->SetMapper(mapper);
+    body->GetProperty()->SetInterpolationToPhong();
+    body->GetProperty()->SetAmbient(0.16);
+    body->GetProperty()->SetDiffuse(0.9);
+    body->GetProperty()->SetSpecular(0.1);
+    body->GetProperty()->SetSpecularPower(25);
+    return body;
+}
+
+/// What each view shows, one after the other in one window: the shading of sulci fills a window, not a part of one.
+std::vector<vtkSmartPointer<vtkImageData>> draw_views(vtkActor* body, const Vec3& center, double half_width)
+{
+    vtkNew<vtkRenderWindow> window;
+    set_up_window(window, samples * panel_size, samples * panel_size);
+    vtkNew<vtkRenderer> renderer;
+    renderer->SetBackground(1, 1, 1);
+    renderer->AddActor(body);
+    add_lights(renderer);
+    add_occlusion(renderer, 0.12 * half_width);
+    window->AddRenderer(renderer);
+    std::vector<vtkSmartPointer<vtkImageData>> pictures;
+    for (const View& view : views)
+    {
+        look(renderer, view, center, half_width);
+        pictures.push_back(grab_picture(window, samples));
+    }
+    return pictures;
+}
+
+} // namespace
+
+void render_surface(const std::filesystem::path& png, std::span<const Vec3> points, std::span<const Triangle> triangles,
+                    std::span<const double> scalar, const ColorScale& scale, const std::string& title,
+                    double half_width)
+{
+    assert(!points.empty() && (scalar.empty() || scalar.size() == points.size()));
+    require_display(png);
+    const QuietVtk quiet;
+    const Box box = bounding_box(points);
+    const double fitting = std::max(1.04 * box.half_width(), std::numeric_limits<double>::min());
+    const auto pictures = draw_views(body_of(polydata_of(points, triangles, scalar), scale), box.center(),
+                                     half_width > 0.0 ? half_width : fitting);
+
+    vtkNew<vtkRenderWindow> window;
+    set_up_window(window, picture_width, picture_height);
+    vtkNew<vtkRenderer> page;
+    page->SetBackground(1, 1, 1);
+    window->AddRenderer(page);
+    for (std::size_t i = 0; i < views.size(); ++i)
+    {
+        add_image(page, pictures[i], views[i].left, panel_bottom);
+        add_text(page, views[i].caption, views[i].left + 0.5 * panel_size, 20, {.size = 20});
+    }
+    add_text(page, title, 0.5 * picture_width, picture_height - 30, {.size = 26, .is_bold = true});
+    add_color_bar(page, scale, bar_left, panel_bottom + 100, panel_size - 200);
+    save_picture(window, png);
+}
+
+} // namespace corticle

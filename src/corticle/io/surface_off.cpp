@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/io/format_error.hpp"
+#include "corticle/io/surface_formats.hpp"
+#include "corticle/io/text_scan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace corticle
+{
+
+namespace
+{
+
+/// The next line that holds something once its comment is cut.
+std::string_view take_content(std::string_view& text, const SurfaceBuilder& surface, std::string_view expected)
+{
+    std::string_view line;
+    while (take_line(text, line))
+    {
+        line = line.substr(0, line.find('#'));
+        if (std::any_of(line.begin(), line.end(), [](char c) { return !is_space(c); }))
+        {
+            return line;
+        }
+    }
+    fail_reading(surface.file(), "truncated OFF", "the end of the file", expected);
+}
+
+template <class Number>
+Number take_number(std::string_view& line, const SurfaceBuilder& surface, std::string_view what)
+{
+    const std::string_view word = take_word(line);
+    Number value{};
+    if (!to_number(word, value))
+    {
+        fail_reading(surface.file(), fmt::format("bad {} in OFF", what), word.empty() ? "the end of the line" : word,
+                     "a number");
+    }
+    return value;
+}
+
+} // namespace
+
+void parse_off(std::string_view text, SurfaceBuilder& surface)
+{
+    const std::size_t bytes = text.size();
+    std::string_view line = take_content(text, surface, "OFF on the first line");
+    const std::string_view magic = take_word(line);
+    if (magic != "OFF" && magic != "COFF" && magic != "NOFF")
+    {
+        fail_reading(surface.file(), "not an OFF file", magic, "OFF, COFF or NOFF on the first line");
+    }
+    if (std::all_of(line.begin(), line.end(), is_space))
+    {
+        line = take_content(text, surface, "the numbers of vertices and faces");
+    }
+    const auto vertices = take_number<std::int64_t>(line, surface, "number of vertices");
+    const auto faces = take_number<std::int64_t>(line, surface, "number of faces");
+    // A vertex takes at least 6 bytes ("0 0 0" and the end of its line), a face 4.
+    if (vertices < 0 || faces < 0 || vertices > static_cast<std::int64_t>(bytes / 6 + 1) ||
+        faces > static_cast<std::int64_t>(bytes / 4 + 1))
+    {
+        fail_reading(surface.file(), "OFF announces more than the file holds",
+                     fmt::format("{} vertices and {} faces", vertices, faces),
+                     fmt::format("what {} bytes can hold", bytes));
+    }
+    surface.reserve(static_cast<std::size_t>(vertices), static_cast<std::size_t>(faces));
+    for (std::int64_t v = 0; v < vertices; ++v)
+    {
+        line = take_content(text, surface, fmt::format("{} vertices", vertices));
+        Vec3 position;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            position[axis] = take_number<double>(line, surface, fmt::format("coordinate of vertex {}", v));
+        }
+        surface.add_vertex(position);
+    }
+    std::vector<std::int64_t> corners;
+    for (std::int64_t f = 0; f < faces; ++f)
+    {
+        line = take_content(text, surface, fmt::format("{} faces", faces));
+        const auto count = take_number<std::int64_t>(line, surface, fmt::format("number of corners of face {}", f));
+        corners.clear();
+        for (std::int64_t c = 0; c < count; ++c)
+        {
+            corners.push_back(take_number<std::int64_t>(line, surface, fmt::format("corner of face {}", f)));
+        }
+        surface.add_polygon(corners);
+    }
+}
+
+} // namespace corticle

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/io/surface_reader.hpp"
+
+#include "corticle/base/error.hpp"
+#include "corticle/geometry/validate.hpp"
+#include "corticle/io/format_error.hpp"
+#include "corticle/io/surface_formats.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+namespace corticle
+{
+
+namespace
+{
+
+using Parser = void (*)(std::string_view, SurfaceBuilder&);
+
+constexpr std::array<std::pair<std::string_view, Parser>, 5> parsers{
+    {{"stl", parse_stl}, {"obj", parse_obj}, {"ply", parse_ply}, {"off", parse_off}, {"vtp", parse_vtp}}};
+
+Parser parser_for(const std::string& extension, const std::string& name)
+{
+    for (const auto& [known, parser] : parsers)
+    {
+        if (known == extension)
+        {
+            return parser;
+        }
+    }
+    fail_reading(name, "unknown kind of surface file", extension.empty() ? "no extension" : "." + extension,
+                 ".stl, .obj, .ply, .off or .vtp");
+}
+
+std::string lower_case_extension(const std::filesystem::path& file)
+{
+    std::string extension = file.extension().string();
+    extension.erase(0, 1);
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return extension;
+}
+
+} // namespace
+
+void SurfaceBuilder::reserve(std::size_t vertices, std::size_t triangles)
+{
+    mesh_.vertices.reserve(vertices);
+    mesh_.triangles.reserve(triangles);
+}
+
+void SurfaceBuilder::add_vertex(const Vec3& position)
+{
+    if (!is_finite(position))
+    {
+        fail_reading(file_, fmt::format("vertex {} is not finite", vertex_count()),
+                     fmt::format("({}, {}, {})", position.x, position.y, position.z), "finite coordinates");
+    }
+    if (vertex_count() >= std::numeric_limits<std::int32_t>::max())
+    {
+        fail_reading(file_, "too many vertices", "more than 2147483647", "fewer");
+    }
+    mesh_.vertices.push_back(position);
+}
+
+void SurfaceBuilder::add_polygon(std::span<const std::int64_t> corners)
+{
+    if (corners.size() < 3)
+    {
+        fail_reading(file_, fmt::format("polygon after {} triangles is no polygon", triangle_count()),
+                     fmt::format("{} corners", corners.size()), "at least 3");
+    }
+    for (const std::int64_t corner : corners)
+    {
+        if (corner < 0 || corner > std::numeric_limits<std::int32_t>::max())
+        {
+            fail_reading(file_, fmt::format("polygon after {} triangles names no vertex", triangle_count()),
+                         fmt::format("index {} (counted from 0)", corner), "an index from 0 on");
+        }
+    }
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+    {
+        mesh_.triangles.push_back({static_cast<std::int32_t>(corners[0]), static_cast<std::int32_t>(corners[i]),
+                                   static_cast<std::int32_t>(corners[i + 1])});
+    }
+}
+
+TriangleMesh SurfaceBuilder::finish()
+{
+    if (mesh_.triangles.empty())
+    {
+        fail_reading(file_, "no surface in the file", "0 triangles", "at least one");
+    }
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+    {
+        for (const std::int32_t corner : mesh_.triangles[t])
+        {
+            if (corner >= vertex_count())
+            {
+                fail_reading(file_, fmt::format("triangle {} names no vertex", t),
+                             fmt::format("index {} (counted from 0)", corner),
+                             fmt::format("at most {}", vertex_count() - 1));
+            }
+        }
+    }
+    return std::move(mesh_);
+}
+
+double millimetres_per(const std::string& unit)
+{
+    if (unit == "mm")
+    {
+        return 1.0;
+    }
+    if (unit == "cm")
+    {
+        return 10.0;
+    }
+    if (unit == "m")
+    {
+        return 1000.0;
+    }
+    throw InputError(fmt::format("unknown unit of length; got \"{}\"; expected \"mm\", \"cm\" or \"m\"", unit));
+}
+
+TriangleMesh parse_surface(std::string_view bytes, const std::string& extension, const std::string& name)
+{
+    const Parser parser = parser_for(extension, name);
+    SurfaceBuilder builder(name);
+    parser(bytes, builder);
+    TriangleMesh merged = merge_duplicates(builder.finish());
+    if (merged.triangles.empty())
+    {
+        fail_reading(name, "every triangle has collapsed", "0 triangles once equal vertices are merged",
+                     "at least one");
+    }
+    return merged;
+}
+
+TriangleMesh read_surface(const std::filesystem::path& file, double scale)
+{
+    const std::string name = file.string();
+    const std::string extension = lower_case_extension(file);
+    parser_for(extension, name);
+    TriangleMesh surface = parse_surface(read_whole_file(file), extension, name);
+    for (Vec3& vertex : surface.vertices)
+    {
+        vertex *= scale;
+        if (!is_finite(vertex))
+        {
+            fail_reading(name, "a vertex is not finite once scaled", fmt::format("scale {}", scale),
+                         "finite coordinates");
+        }
+    }
+    return surface;
+}
+
+} // namespace corticle

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <charconv>
+#include <cstring>
+#include <string_view>
+
+namespace corticle
+{
+
+inline bool is_space(char c)
+{
+    return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f';
+}
+
+/// Takes the next word off the front of `text`; empty at the end.
+inline std::string_view take_word(std::string_view& text)
+{
+    std::size_t begin = 0;
+    while (begin < text.size() && is_space(text[begin]))
+    {
+        ++begin;
+    }
+    std::size_t end = begin;
+    while (end < text.size() && !is_space(text[end]))
+    {
+        ++end;
+    }
+    const std::string_view word = text.substr(begin, end - begin);
+    text.remove_prefix(end);
+    return word;
+}
+
+/// Takes the next line off the front of `text`, without its end ("\n", "\r\n"); false at the end.
+inline bool take_line(std::string_view& text, std::string_view& line)
+{
+    if (text.empty())
+    {
+        return false;
+    }
+    const std::size_t end = text.find('\n');
+    line = text.substr(0, end);
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    if (!line.empty() && line.back() == '\r')
+    {
+        line.remove_suffix(1);
+    }
+    return true;
+}
+
+/// True when the whole word is one number of this type.
+template <class Number>
+bool to_number(std::string_view word, Number& value)
+{
+    if (word.size() > 1 && word.front() == '+' && word[1] != '-')
+    {
+        word.remove_prefix(1);
+    }
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    return !word.empty() && error == std::errc{} && end == word.data() + word.size();
+}
+
+/// Equal up to ASCII case; `lower` is in lower case.
+inline bool equals_ignoring_case(std::string_view word, std::string_view lower)
+{
+    if (word.size() != lower.size())
+    {
+        return false;
+    }
+    for (std::size_t i = 0; i < word.size(); ++i)
+    {
+        const char c = word[i] >= 'A' && word[i] <= 'Z' ? static_cast<char>(word[i] - 'A' + 'a') : word[i];
+        if (c != lower[i])
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// Reads a number in the byte order of the file; `bytes` holds at least sizeof(Number).
+template <class Number>
+Number load(const char* bytes, bool big_endian)
+{
+    char buffer[sizeof(Number)];
+    for (std::size_t i = 0; i < sizeof(Number); ++i)
+    {
+        buffer[i] = bytes[big_endian ? sizeof(Number) - 1 - i : i];
+    }
+    Number value;
+    std::memcpy(&value, buffer, sizeof(Number));
+    return value;
+}
+
+} // namespace corticle

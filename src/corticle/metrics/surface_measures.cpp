@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/metrics/surface_measures.hpp"
+
+#include "corticle/base/parallel.hpp"
+#include "corticle/geometry/distance.hpp"
+#include "corticle/geometry/hull.hpp"
+#include "corticle/geometry/surface_tree.hpp"
+
+#include <limits>
+#include <numbers>
+
+namespace corticle
+{
+
+namespace
+{
+
+bool share_a_vertex(const Triangle& a, const Triangle& b)
+{
+    return std::any_of(a.begin(), a.end(), [&](std::int32_t corner) { return std::find(b.begin(), b.end(), corner) != b.end(); });
+}
+
+/// Distance from a point on a triangle to the nearest triangle that shares no vertex with it [mm].
+double distance_to_others(const Vec3& point, const Triangle& own, const TriangleMesh& mesh)
+{
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const Triangle& other : mesh.triangles)
+    {
+        const Vec3 a = mesh.vertices[static_cast<std::size_t>(other[0])];
+        if (share_a_vertex(own, other))
+        {
+            continue;
+        }
+        const Vec3 b = mesh.vertices[static_cast<std::size_t>(other[1])];
+        const Vec3 c = mesh.vertices[static_cast<std::size_t>(other[2])];
+        const auto w = closest_on_triangle(point, a, b, c);
+        smallest = std::min(smallest, squared_norm(point - (w[0] * a + w[1] * b + w[2] * c)));
+    }
+    return std::sqrt(smallest);
+}
+
+} // namespace
+
+double sphere_index(double area, double volume)
+{
+    return area / (std::cbrt(std::numbers::pi) * std::pow(6.0 * volume, 2.0 / 3.0));
+}
+
+SurfaceMeasures measure_surface(std::span<const Vec3> vertices, std::span<const Triangle> triangles)
+{
+    SurfaceMeasures m;
+    m.area_mm2 = surface_area(vertices, triangles);
+    m.volume_mm3 = enclosed_volume(vertices, triangles);
+    m.area_per_volume = m.area_mm2 / m.volume_mm3;
+    const TriangleMesh hull = convex_hull(vertices);
+    m.hull_area_mm2 = surface_area(hull.vertices, hull.triangles);
+    m.gi_hull = m.area_mm2 / m.hull_area_mm2;
+    m.gi_sphere = sphere_index(m.area_mm2, m.volume_mm3);
+    return m;
+}
+
+Overlap measure_overlap(std::span<const Vec3> vertices, std::span<const Triangle> triangles, double probe_distance)
+{
+    const SurfaceTree tree(vertices, triangles);
+    struct Sum
+    {
+        double area = 0.0;
+        double covered = 0.0;
+        double deepest = 0.0;
+    };
+    const Sum sum = parallel_reduce(
+        std::ssize(triangles), Sum{},
+        [&](std::int64_t begin, std::int64_t end)
+        {
+            Sum part;
+            for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
+            {
+                const Vec3 a = vertices[static_cast<std::size_t>(triangles[k][0])];
+                const Vec3 b = vertices[static_cast<std::size_t>(triangles[k][1])];
+                const Vec3 c = vertices[static_cast<std::size_t>(triangles[k][2])];
+                const Vec3 normal = cross(b - a, c - a);
+                const double area = 0.5 * norm(normal);
+                const Vec3 centroid = (a + b + c) / 3.0;
+                part.area += area;
+                if (tree.winding_number(centroid + probe_distance * normalized(normal)) != 0)
+                {
+                    part.covered += area;
+                    part.deepest = std::max(part.deepest, distance_to_others(centroid, triangles[k], tree.mesh()));
+                }
+            }
+            return part;
+        },
+        [](Sum& total, const Sum& part)
+        {
+            total.area += part.area;
+            total.covered += part.covered;
+            total.deepest = std::max(total.deepest, part.deepest);
+        });
+    return {sum.covered / sum.area, sum.deepest};
+}
+
+} // namespace corticle

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/geometry/triangle_mesh.hpp"
+
+namespace corticle
+{
+
+/// Measures of a closed surface.
+struct SurfaceMeasures
+{
+    double area_mm2 = 0.0;
+    double volume_mm3 = 0.0;
+    double area_per_volume = 0.0; ///< [1/mm]
+    double hull_area_mm2 = 0.0;
+    double gi_hull = 0.0;   ///< gyrification index: area over the area of the convex hull
+    double gi_sphere = 0.0; ///< gyrification index: area over the area of the sphere of equal volume
+};
+
+SurfaceMeasures measure_surface(std::span<const Vec3> vertices, std::span<const Triangle> triangles);
+
+/// Area over the area of the sphere that encloses the same volume.
+double sphere_index(double area, double volume);
+
+/// How much of a surface lies inside another part of the body.
+struct Overlap
+{
+    double area_share = 0.0;         ///< share of the area whose outer side is covered: just off it, the winding number is not 0
+    double deepest_penetration = 0.0; ///< largest distance from a covered triangle to the surface it pierced [mm]
+};
+
+/// @param probe_distance  how far off a face the winding number is taken [mm]; small against the distance of banks that touch
+Overlap measure_overlap(std::span<const Vec3> vertices, std::span<const Triangle> triangles, double probe_distance);
+
+} // namespace corticle

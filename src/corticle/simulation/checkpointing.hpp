@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/io/checkpoint.hpp"
+#include "corticle/simulation/measures.hpp"
+
+namespace corticle
+{
+
+/// State and measured rows as a checkpoint of the case.
+Checkpoint to_checkpoint(const State& state, std::span<const Measures> rows, const std::string& case_text);
+
+/// What to_checkpoint stored.
+struct Restored
+{
+    State state;
+    std::vector<Measures> rows;
+};
+/// @throws InputError naming `file` when the checkpoint lacks something or holds another number of particles
+Restored from_checkpoint(const Checkpoint& checkpoint, std::size_t particles, const std::string& file);
+
+} // namespace corticle

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/simulation/frames.hpp"
+
+#include "corticle/base/parallel.hpp"
+#include "corticle/io/vtk_files.hpp"
+#include "corticle/tissue/growth.hpp"
+#include "corticle/tissue/neo_hookean.hpp"
+
+#include <numeric>
+
+namespace corticle
+{
+
+namespace
+{
+
+/// Arrays of one point per particle that a frame's files show besides those of Frame.
+struct ParticleArrays
+{
+    std::vector<double> J;
+    std::vector<double> stress;       ///< Cauchy stress, 9 a particle, by rows [mu_w]
+    std::vector<double> displacement; ///< 3 a particle [mm]
+    std::vector<double> normal;       ///< 3 a particle
+};
+
+double growth_at(const Simulation& simulation, std::size_t i)
+{
+    const Tissue& tissue = simulation.body().tissue;
+    return material_point(tissue.options, tissue.theta[i], tissue.regional_rate[i], simulation.state().t).growth;
+}
+
+ParticleArrays particle_arrays(const Simulation& simulation, std::span<const Mat3> F)
+{
+    const Body& body = simulation.body();
+    const Tissue& tissue = body.tissue;
+    const std::size_t count = F.size();
+    ParticleArrays a{std::vector<double>(count), std::vector<double>(9 * count), std::vector<double>(3 * count), std::vector<double>(3 * count)};
+    parallel_for(static_cast<std::int64_t>(count),
+                 [&](std::int64_t signed_i)
+                 {
+                     const auto i = static_cast<std::size_t>(signed_i);
+                     const MaterialPoint point = material_point(tissue.options, tissue.theta[i], tissue.regional_rate[i], simulation.state().t);
+                     const Mat3 F_e = F[i] * inverse_growth_tensor(point.growth, tissue.normal[i]);
+                     const NeoHookean law{point.shear_modulus, point.bulk_modulus, tissue.options.barrier_J};
+                     const Mat3 sigma = cauchy_stress(law.respond(F_e).stress, F_e);
+                     const Vec3 u = simulation.state().motion.x[i] - body.cloud.positions[i];
+                     a.J[i] = determinant(F[i]);
+                     for (int row = 0; row < 3; ++row)
+                     {
+                         const auto r = static_cast<std::size_t>(row);
+                         a.displacement[3 * i + r] = u[row];
+                         a.normal[3 * i + r] = std::as_const(tissue.normal[i])[row];
+                         for (int col = 0; col < 3; ++col)
+                         {
+                             a.stress[9 * i + 3 * r + static_cast<std::size_t>(col)] = sigma(row, col);
+                         }
+                     }
+                 });
+    return a;
+}
+
+template <int components>
+std::vector<double> on_surface(const Cloud& cloud, std::span<const double> values)
+{
+    std::vector<double> result;
+    result.reserve(cloud.surface_particles.size() * components);
+    for (const std::int32_t particle : cloud.surface_particles)
+    {
+        const auto first = values.begin() + static_cast<std::ptrdiff_t>(particle) * components;
+        result.insert(result.end(), first, first + components);
+    }
+    return result;
+}
+
+} // namespace
+
+Frame make_frame(const Simulation& simulation, std::span<const Mat3> F, std::string name)
+{
+    const Cloud& cloud = simulation.body().cloud;
+    Frame frame{simulation.state().t, std::move(name), simulation.state().motion.x, simulation.body().tissue.theta, {},
+                simulation.surface_positions(), cloud.surface_triangles, {}, {}};
+    std::vector<double> J;
+    for (std::size_t i = 0; i < F.size(); ++i)
+    {
+        frame.particle_growth.push_back(growth_at(simulation, i));
+        J.push_back(determinant(F[i]));
+    }
+    frame.surface_J = on_surface<1>(cloud, J);
+    frame.surface_growth = on_surface<1>(cloud, frame.particle_growth);
+    return frame;
+}
+
+void write_frame(const std::filesystem::path& folder, const Simulation& simulation, std::span<const Mat3> F, const Frame& frame)
+{
+    const Cloud& cloud = simulation.body().cloud;
+    const Tissue& tissue = simulation.body().tissue;
+    const ParticleArrays a = particle_arrays(simulation, F);
+    std::vector<std::int32_t> ids(frame.particles.size());
+    std::iota(ids.begin(), ids.end(), 0);
+    const std::vector particle_fields{Field{"J", 1, a.J},
+                                      Field{"theta", 1, frame.theta},
+                                      Field{"growth", 1, frame.particle_growth},
+                                      Field{"stress", 9, a.stress},
+                                      Field{"displacement", 3, a.displacement},
+                                      Field{"depth", 1, tissue.depth},
+                                      Field{"normal", 3, a.normal},
+                                      Field{"volume", 1, cloud.volumes}};
+    write_particles_vtu(folder / ("particles_" + frame.name + ".vtu"), frame.particles, ids, particle_fields);
+
+    const std::vector<double> id(cloud.surface_particles.begin(), cloud.surface_particles.end());
+    const std::vector<double> theta = on_surface<1>(cloud, frame.theta);
+    const std::vector<double> displacement = on_surface<3>(cloud, a.displacement);
+    const std::vector surface_fields{Field{"J", 1, frame.surface_J}, Field{"theta", 1, theta}, Field{"growth", 1, frame.surface_growth},
+                                     Field{"displacement", 3, displacement}, Field{"id", 1, id}};
+    write_surface_vtp(folder / ("surface_" + frame.name + ".vtp"), frame.surface, frame.triangles, surface_fields);
+}
+
+} // namespace corticle

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/simulation/run_pictures.hpp"
+#include "corticle/simulation/simulation.hpp"
+
+namespace corticle
+{
+
+/// The run at its present time, as its files show it.
+Frame make_frame(const Simulation& simulation, std::span<const Mat3> F, std::string name);
+
+/// Writes surface_NAME.vtp (J, theta, growth, depth, displacement, id) and particles_NAME.vtu
+/// (J, theta, growth, stress, displacement, depth, normal, volume, id), each whole or not at all.
+void write_frame(const std::filesystem::path& folder, const Simulation& simulation, std::span<const Mat3> F, const Frame& frame);
+
+} // namespace corticle

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/simulation/measures.hpp"
+
+#include "corticle/base/error.hpp"
+#include "corticle/metrics/surface_measures.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+
+namespace corticle
+{
+
+namespace
+{
+
+constexpr double probe_in_spacings = 1e-4;
+
+constexpr std::array columns{
+    MeasureColumn{"t", "-", &Measures::t},
+    MeasureColumn{"steps", "-", &Measures::steps},
+    MeasureColumn{"rejected_steps", "-", &Measures::rejected_steps},
+    MeasureColumn{"area", "mm2", &Measures::area_mm2},
+    MeasureColumn{"volume", "mm3", &Measures::volume_mm3},
+    MeasureColumn{"area_ratio", "-", &Measures::area_ratio},
+    MeasureColumn{"volume_ratio", "-", &Measures::volume_ratio},
+    MeasureColumn{"area_per_volume", "1/mm", &Measures::area_per_volume},
+    MeasureColumn{"gi_hull", "-", &Measures::gi_hull},
+    MeasureColumn{"gi_sphere", "-", &Measures::gi_sphere},
+    MeasureColumn{"J_min", "-", &Measures::J_min},
+    MeasureColumn{"J_mean", "-", &Measures::J_mean},
+    MeasureColumn{"J_max", "-", &Measures::J_max},
+    MeasureColumn{"energy_elastic", "mu_w mm3", &Measures::energy_elastic},
+    MeasureColumn{"energy_kinetic", "mu_w mm3", &Measures::energy_kinetic},
+    MeasureColumn{"energy_zero_mode", "mu_w mm3", &Measures::energy_zero_mode},
+    MeasureColumn{"energy_contact", "mu_w mm3", &Measures::energy_contact},
+    MeasureColumn{"energy_dissipated", "mu_w mm3", &Measures::energy_dissipated},
+    MeasureColumn{"work_growth", "mu_w mm3", &Measures::work_growth},
+    MeasureColumn{"overlap_area_share", "-", &Measures::overlap_area_share},
+    MeasureColumn{"max_penetration", "mm", &Measures::max_penetration_mm},
+    MeasureColumn{"barrier_particles", "-", &Measures::barrier_particles},
+    MeasureColumn{"contact_pairs", "-", &Measures::contact_pairs},
+};
+
+std::string header()
+{
+    std::string line;
+    for (const MeasureColumn& column : columns)
+    {
+        line += fmt::format("{}{} [{}]", line.empty() ? "" : ",", column.key, column.unit);
+    }
+    return line + "\n";
+}
+
+} // namespace
+
+std::span<const MeasureColumn> measure_columns() { return columns; }
+
+Measures measure(const Simulation& simulation, std::span<const Mat3> F)
+{
+    const Body& body = simulation.body();
+    const State& state = simulation.state();
+    const std::vector<Vec3> x = simulation.surface_positions();
+    const SurfaceMeasures now = measure_surface(x, body.cloud.surface_triangles);
+    const double area_0 = surface_area(body.surface.vertices, body.surface.triangles);
+    const double volume_0 = enclosed_volume(body.surface.vertices, body.surface.triangles);
+    const Overlap overlap = measure_overlap(x, body.cloud.surface_triangles, probe_in_spacings * body.cloud.spacing);
+
+    Measures m;
+    m.t = state.t;
+    m.steps = static_cast<double>(state.steps);
+    m.rejected_steps = static_cast<double>(state.rejected_steps);
+    m.area_mm2 = now.area_mm2;
+    m.volume_mm3 = now.volume_mm3;
+    m.area_ratio = now.area_mm2 / area_0;
+    m.volume_ratio = now.volume_mm3 / volume_0;
+    m.area_per_volume = now.area_per_volume;
+    m.gi_hull = now.gi_hull;
+    m.gi_sphere = now.gi_sphere;
+    m.J_min = determinant(F[0]);
+    m.J_max = m.J_min;
+    double weighted = 0.0;
+    double volume = 0.0;
+    for (std::size_t i = 0; i < F.size(); ++i)
+    {
+        const double J = determinant(F[i]);
+        m.J_min = std::min(m.J_min, J);
+        m.J_max = std::max(m.J_max, J);
+        weighted += body.cloud.volumes[i] * J;
+        volume += body.cloud.volumes[i];
+    }
+    m.J_mean = weighted / volume;
+    m.energy_elastic = simulation.internal().elastic_energy;
+    m.energy_kinetic = state.kinetic_energy;
+    m.energy_zero_mode = simulation.internal().zero_mode_energy;
+    m.energy_contact = simulation.contact().energy;
+    m.energy_dissipated = state.books.dissipated;
+    m.work_growth = state.books.growth_work;
+    m.overlap_area_share = overlap.area_share;
+    m.max_penetration_mm = overlap.deepest_penetration;
+    m.barrier_particles = static_cast<double>(simulation.internal().barrier_count);
+    m.contact_pairs = static_cast<double>(simulation.contact().active);
+    return m;
+}
+
+std::string measures_csv(std::span<const Measures> rows)
+{
+    std::string text = header();
+    for (const Measures& row : rows)
+    {
+        for (std::size_t k = 0; k < columns.size(); ++k)
+        {
+            text += fmt::format("{}{:.17g}", k == 0 ? "" : ",", row.*columns[k].value);
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+std::vector<Measures> parse_measures_csv(std::string_view text, const std::string& name)
+{
+    const std::string expected = header();
+    if (!text.starts_with(expected))
+    {
+        throw InputError(fmt::format("{}: not a table of measures written by this version", name));
+    }
+    std::vector<Measures> rows;
+    const char* at = text.data() + expected.size();
+    const char* const end = text.data() + text.size();
+    while (at < end)
+    {
+        Measures row;
+        for (const MeasureColumn& column : columns)
+        {
+            const auto [next, error] = std::from_chars(at, end, row.*column.value);
+            if (error != std::errc{} || next == end)
+            {
+                throw InputError(fmt::format("{}: line {}: bad number in column {}", name, rows.size() + 2, column.key));
+            }
+            at = next + 1; // the comma or the end of the line
+        }
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+} // namespace corticle

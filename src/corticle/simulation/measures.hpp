@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/simulation/simulation.hpp"
+
+#include <span>
+#include <string_view>
+
+namespace corticle
+{
+
+/// Measures of a run at one output time: a row of measures.csv.
+struct Measures
+{
+    double t = 0.0;
+    double steps = 0.0;
+    double rejected_steps = 0.0;
+    double area_mm2 = 0.0;
+    double volume_mm3 = 0.0;
+    double area_ratio = 0.0;   ///< over the initial area
+    double volume_ratio = 0.0; ///< over the initial volume
+    double area_per_volume = 0.0;
+    double gi_hull = 0.0;
+    double gi_sphere = 0.0;
+    double J_min = 0.0;
+    double J_mean = 0.0; ///< volume-weighted by reference volume
+    double J_max = 0.0;
+    double energy_elastic = 0.0;
+    double energy_kinetic = 0.0;
+    double energy_zero_mode = 0.0;
+    double energy_contact = 0.0;
+    double energy_dissipated = 0.0;
+    double work_growth = 0.0;
+    double overlap_area_share = 0.0;
+    double max_penetration_mm = 0.0;
+    double barrier_particles = 0.0;
+    double contact_pairs = 0.0;
+};
+
+/// One column of measures.csv: key, unit, member.
+struct MeasureColumn
+{
+    std::string_view key;
+    std::string_view unit;
+    double Measures::*value;
+};
+std::span<const MeasureColumn> measure_columns();
+
+Measures measure(const Simulation& simulation, std::span<const Mat3> F);
+
+/// measures.csv of the rows: header with units, one line each, 17 significant digits.
+std::string measures_csv(std::span<const Measures> rows);
+
+/// Reads measures.csv back. @throws InputError when it is not one of ours
+std::vector<Measures> parse_measures_csv(std::string_view text, const std::string& name);
+
+} // namespace corticle

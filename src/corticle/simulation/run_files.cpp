@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/simulation/run_files.hpp"
+
+#include "corticle/base/error.hpp"
+#include "corticle/config/case_file.hpp"
+#include "corticle/io/atomic_file.hpp"
+#include "corticle/io/vtk_files.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+namespace corticle
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+constexpr double same_time = 1e-9;
+constexpr std::int64_t default_pictures = 5;
+
+bool belongs_to_a_run(const fs::path& file)
+{
+    const std::string name = file.filename().string();
+    const auto is = [&](std::string_view start, std::string_view extension) { return name.starts_with(start) && file.extension() == extension; };
+    return name == "case.toml" || name == "summary.json" || name == "measures.csv" || name == "checkpoint.h5" || name == "run.log" ||
+           name == "surface.pvd" || name == "particles.pvd" || is("surface_", ".vtp") || is("particles_", ".vtu") || is("surface_", ".png") ||
+           is("cut_", ".png") || name == "measures.png";
+}
+
+std::size_t nearest(std::span<const double> times, double t)
+{
+    return static_cast<std::size_t>(
+        std::min_element(times.begin(), times.end(), [&](double a, double b) { return std::abs(a - t) < std::abs(b - t); }) - times.begin());
+}
+
+} // namespace
+
+void require_usable_folder(const RunRequest& request)
+{
+    const fs::path out = fs::absolute(request.out).lexically_normal();
+    std::error_code error;
+    fs::path existing = out;
+    while (!fs::exists(existing, error) && existing.has_relative_path())
+    {
+        existing = existing.parent_path();
+    }
+    if (!fs::is_directory(existing, error) || access(existing.c_str(), W_OK | X_OK) != 0)
+    {
+        throw InputError(fmt::format("--out {}: {} is not a folder that can be written; expected one", request.out.string(), existing.string()));
+    }
+    if (fs::exists(out / "case.toml", error) && !request.resume && !request.overwrite)
+    {
+        throw InputError(fmt::format("--out {}: holds a run already; expected another folder, --resume to go on with it or --overwrite to replace it",
+                                     request.out.string()));
+    }
+}
+
+std::optional<Checkpoint> find_checkpoint(const RunRequest& request, const std::string& case_text)
+{
+    const fs::path file = request.out / "checkpoint.h5";
+    if (!request.resume || !fs::exists(file))
+    {
+        return std::nullopt;
+    }
+    Checkpoint checkpoint = read_checkpoint(file);
+    const std::vector<std::string> differences = differing_keys(checkpoint.case_text, case_text);
+    if (!differences.empty())
+    {
+        throw InputError(fmt::format("--resume {}: the case differs from that of the checkpoint in {}; expected the same case",
+                                     request.out.string(), fmt::join(differences, ", ")));
+    }
+    return checkpoint;
+}
+
+void remove_run(const fs::path& folder)
+{
+    for (const fs::path& place : {folder, folder / "pictures"})
+    {
+        if (!fs::is_directory(place))
+        {
+            continue;
+        }
+        std::vector<fs::path> files;
+        for (const auto& item : fs::directory_iterator(place))
+        {
+            if (item.is_regular_file() && belongs_to_a_run(item.path()))
+            {
+                files.push_back(item.path());
+            }
+        }
+        for (const fs::path& file : files)
+        {
+            fs::remove(file);
+        }
+    }
+}
+
+std::vector<double> output_times(const Options& options)
+{
+    const double end = options.time.end;
+    std::vector<double> times{0.0};
+    if (options.output.times.empty())
+    {
+        for (std::int64_t k = 1; k <= options.output.count; ++k)
+        {
+            times.push_back(end * static_cast<double>(k) / static_cast<double>(options.output.count));
+        }
+    }
+    else
+    {
+        std::copy_if(options.output.times.begin(), options.output.times.end(), std::back_inserter(times),
+                     [&](double t) { return t > same_time && t < end; });
+    }
+    times.push_back(end);
+    std::sort(times.begin(), times.end());
+    times.erase(std::unique(times.begin(), times.end(), [](double a, double b) { return b - a < same_time; }), times.end());
+    times.back() = end;
+    return times;
+}
+
+std::vector<bool> picture_flags(const Options& options, std::span<const double> times)
+{
+    std::vector<bool> flags(times.size(), false);
+    if (options.output.pictures != "on")
+    {
+        return flags;
+    }
+    for (const double t : options.output.picture_times)
+    {
+        flags[nearest(times, t)] = true;
+    }
+    if (options.output.picture_times.empty())
+    {
+        for (std::int64_t k = 1; k <= default_pictures; ++k)
+        {
+            flags[nearest(times, times.back() * static_cast<double>(k) / static_cast<double>(default_pictures))] = true;
+        }
+    }
+    return flags;
+}
+
+std::string frame_name(std::size_t row) { return fmt::format("{:04}", row); }
+
+void write_tables(const fs::path& folder, std::span<const Measures> rows)
+{
+    std::vector<std::pair<double, std::string>> surfaces;
+    std::vector<std::pair<double, std::string>> particles;
+    for (std::size_t k = 0; k < rows.size(); ++k)
+    {
+        surfaces.emplace_back(rows[k].t, "surface_" + frame_name(k) + ".vtp");
+        particles.emplace_back(rows[k].t, "particles_" + frame_name(k) + ".vtu");
+    }
+    write_pvd(folder / "surface.pvd", surfaces);
+    write_pvd(folder / "particles.pvd", particles);
+    write_text_atomically(folder / "measures.csv", measures_csv(rows));
+}
+
+} // namespace corticle

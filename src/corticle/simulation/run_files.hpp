@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/simulation/checkpointing.hpp"
+#include "corticle/simulation/run_folder.hpp"
+#include "corticle/simulation/summary.hpp"
+
+#include <optional>
+
+namespace corticle
+{
+
+/// Refuses a run folder that cannot be written or that holds a run which was not asked to be resumed or overwritten. Writes nothing.
+void require_usable_folder(const RunRequest& request);
+
+/// The checkpoint to resume from, if the request and the folder have one.
+/// @throws InputError when its case differs (naming the keys) or the file is damaged
+std::optional<Checkpoint> find_checkpoint(const RunRequest& request, const std::string& case_text);
+
+/// Removes the files of an earlier run, and nothing else.
+void remove_run(const std::filesystem::path& folder);
+
+/// Output times of a run: 0, those asked for, and the end; ascending.
+std::vector<double> output_times(const Options& options);
+
+/// Which of the output times get pictures.
+std::vector<bool> picture_flags(const Options& options, std::span<const double> times);
+
+/// surface.pvd, particles.pvd and measures.csv of the rows so far.
+void write_tables(const std::filesystem::path& folder, std::span<const Measures> rows);
+
+/// "0007"
+std::string frame_name(std::size_t row);
+
+} // namespace corticle

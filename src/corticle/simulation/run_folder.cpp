@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/simulation/run_folder.hpp"
+
+#include "corticle/base/error.hpp"
+#include "corticle/base/parallel.hpp"
+#include "corticle/config/case_file.hpp"
+#include "corticle/io/atomic_file.hpp"
+#include "corticle/io/pictures.hpp"
+#include "corticle/simulation/frames.hpp"
+#include "corticle/simulation/interruption.hpp"
+#include "corticle/simulation/progress.hpp"
+#include "corticle/simulation/run_files.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <spdlog/sinks/basic_file_sink.h>
+#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <chrono>
+#include <fstream>
+
+namespace corticle
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// run.log gets everything; the terminal gets warnings.
+std::shared_ptr<spdlog::logger> make_log(const fs::path& folder, bool quiet)
+{
+    auto file = std::make_shared<spdlog::sinks::basic_file_sink_mt>((folder / "run.log").string());
+    auto terminal = std::make_shared<spdlog::sinks::stderr_sink_mt>();
+    terminal->set_level(quiet ? spdlog::level::off : spdlog::level::warn);
+    terminal->set_pattern("corticle: %l: %v");
+    auto log = std::make_shared<spdlog::logger>("run", spdlog::sinks_init_list{file, terminal});
+    log->flush_on(spdlog::level::info);
+    return log;
+}
+
+/// Wall time that earlier sessions of an interrupted run took, as its summary tells [s].
+double earlier_wall(const fs::path& folder)
+{
+    std::ifstream stream(folder / "summary.json");
+    const auto summary = nlohmann::json::parse(stream, nullptr, false);
+    return summary.is_object() ? summary.value("wall_s", 0.0) : 0.0;
+}
+
+/// The observers of a run: what is written when.
+class Recorder
+{
+  public:
+    Recorder(const RunRequest& request, std::string case_text, std::shared_ptr<spdlog::logger> log, Clock::time_point start, double wall_before)
+        : request_(request), case_text_(std::move(case_text)), log_(std::move(log)), start_(start), saved_at_(start), wall_before_(wall_before)
+    {
+        std::string reason;
+        pictures_ = request.options.output.pictures == "on" && can_render(reason);
+        if (request.options.output.pictures == "on" && !pictures_)
+        {
+            log_->warn("no pictures: {}", reason);
+        }
+    }
+
+    void resume(std::vector<Measures> rows, std::int64_t steps)
+    {
+        rows_ = std::move(rows);
+        first_step_ = steps;
+    }
+    std::size_t row_count() const { return rows_.size(); }
+
+    /// An output time: frame, measures, pictures, checkpoint.
+    void record(const Simulation& simulation, bool with_pictures)
+    {
+        const std::vector<Mat3> F = simulation.deformation_gradients();
+        const Frame frame = make_frame(simulation, F, frame_name(rows_.size()));
+        rows_.push_back(measure(simulation, F));
+        const Measures& row = rows_.back();
+        write_frame(request_.out, simulation, F, frame);
+        write_tables(request_.out, rows_);
+        if (with_pictures && pictures_)
+        {
+            render_frame(request_.out, frame);
+        }
+        save(simulation);
+        log_->info("t = {:.4f}: step {}, area ratio {:.4f}, sphere index {:.4f}, hull index {:.4f}, J {:.3f} to {:.3f}, overlap {:.5f}", row.t,
+                   simulation.state().steps, row.area_ratio, row.gi_sphere, row.gi_hull, row.J_min, row.J_max, row.overlap_area_share);
+        for (const std::string& warning : energy_warnings(row))
+        {
+            log_->log(warned_ ? spdlog::level::info : spdlog::level::warn, warning);
+            warned_ = true;
+        }
+    }
+
+    void save(const Simulation& simulation)
+    {
+        write_checkpoint(request_.out / "checkpoint.h5", to_checkpoint(simulation.state(), rows_, case_text_));
+        saved_at_ = Clock::now();
+    }
+
+    void save_if_due(const Simulation& simulation)
+    {
+        if (seconds_since(saved_at_) > 60.0 * request_.options.output.checkpoint_minutes)
+        {
+            save(simulation);
+        }
+    }
+
+    void summarize(const Simulation& simulation, const std::string& status, const std::string& reason = {})
+    {
+        const double session = seconds_since(start_);
+        const Measures last = rows_.empty() ? Measures{} : rows_.back();
+        write_text_atomically(request_.out / "summary.json",
+                              summary_json(simulation, last, {status, reason, thread_count(), wall_before_ + session, session,
+                                                              simulation.state().steps - first_step_}));
+        log_->info("{} at t = {:.6g} after {} steps, {:.1f} s", status, simulation.state().t, simulation.state().steps, wall_before_ + session);
+    }
+
+    void finish()
+    {
+        if (pictures_)
+        {
+            render_measures(request_.out, rows_);
+        }
+    }
+
+  private:
+    const RunRequest& request_;
+    std::string case_text_;
+    std::shared_ptr<spdlog::logger> log_;
+    Clock::time_point start_;
+    Clock::time_point saved_at_;
+    double wall_before_;
+    std::int64_t first_step_ = 0;
+    std::vector<Measures> rows_;
+    bool pictures_ = false;
+    bool warned_ = false;
+};
+
+/// The loop over output times; false when interrupted.
+bool fold(Simulation& simulation, Recorder& recorder, const Options& options, bool quiet)
+{
+    const std::vector<double> times = output_times(options);
+    const std::vector<bool> with_pictures = picture_flags(options, times);
+    Progress progress(simulation, options.time.end, quiet);
+    for (std::size_t k = 0; k < times.size(); ++k)
+    {
+        if (times[k] < simulation.state().t || (times[k] == simulation.state().t && recorder.row_count() > 0))
+        {
+            continue;
+        }
+        while (simulation.state().t < times[k])
+        {
+            simulation.step(times[k]);
+            progress.update(simulation);
+            recorder.save_if_due(simulation);
+            if (InterruptionGuard::requested() && simulation.state().t < times[k])
+            {
+                progress.clear();
+                recorder.save(simulation);
+                return false;
+            }
+        }
+        progress.clear();
+        recorder.record(simulation, with_pictures[k]);
+    }
+    return true;
+}
+
+void log_body(spdlog::logger& log, const Body& body)
+{
+    log.info("{} particles, {} of them on the surface, spacing {:.4g} mm, {:.1f} neighbours, {} pairs dropped because they do not see each other",
+             body.cloud.positions.size(), body.cloud.surface_particles.size(), body.cloud.spacing, body.report.neighbors_mean,
+             body.report.visibility.dropped_pairs);
+    if (body.report.input_vertices > 0)
+    {
+        log.info("remeshed {} vertices: area {:+.3f} %, volume {:+.3f} %, at most {:.3g} mm from the input", body.report.input_vertices,
+                 100.0 * body.report.remesh.area_change, 100.0 * body.report.remesh.volume_change, body.report.remesh.largest_distance_mm);
+    }
+    for (const std::string& warning : body.report.warnings)
+    {
+        log.warn(warning);
+    }
+}
+
+} // namespace
+
+RunStatus simulate(const RunRequest& request)
+{
+    const Clock::time_point start = Clock::now();
+    set_thread_count(request.threads);
+    const std::string case_text = to_toml(request.options);
+    require_usable_folder(request);
+    std::optional<Checkpoint> checkpoint = find_checkpoint(request, case_text);
+    Body body = prepare_body(request.options);
+    std::optional<Restored> restored;
+    if (checkpoint)
+    {
+        restored = from_checkpoint(*checkpoint, body.cloud.positions.size(), (request.out / "checkpoint.h5").string());
+        checkpoint.reset();
+    }
+
+    if (!restored)
+    {
+        remove_run(request.out);
+    }
+    fs::create_directories(request.out);
+    write_text_atomically(request.out / "case.toml", case_text);
+    const auto log = make_log(request.out, request.quiet);
+    log->info("corticle {}, {} threads", CORTICLE_VERSION, thread_count());
+    log_body(*log, body);
+
+    const InterruptionGuard guard;
+    Recorder recorder(request, case_text, log, start, restored ? earlier_wall(request.out) : 0.0);
+    Simulation simulation(body, request.options);
+    if (restored)
+    {
+        log->info("resumed at t = {:.6g}, step {}", restored->state.t, restored->state.steps);
+        recorder.resume(std::move(restored->rows), restored->state.steps);
+        simulation.restore(std::move(restored->state));
+    }
+    try
+    {
+        if (!fold(simulation, recorder, request.options, request.quiet))
+        {
+            recorder.summarize(simulation, "interrupted");
+            return RunStatus::interrupted;
+        }
+        recorder.finish();
+    }
+    catch (const std::exception& error)
+    {
+        log->error(error.what());
+        try
+        {
+            recorder.summarize(simulation, "failed", error.what());
+        }
+        catch (const RunError&)
+        {
+            // The disk that made the run fail has no room for the summary either; the error itself is reported below.
+        }
+        throw;
+    }
+    recorder.summarize(simulation, "completed");
+    return RunStatus::completed;
+}
+
+} // namespace corticle

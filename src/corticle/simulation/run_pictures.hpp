@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/geometry/triangle_mesh.hpp"
+#include "corticle/simulation/measures.hpp"
+
+#include <filesystem>
+
+namespace corticle
+{
+
+/// One output time of a run, as its files hold it.
+struct Frame
+{
+    double t = 0.0;
+    std::string name;                      ///< "0007": part of every file name of the frame
+    std::vector<Vec3> particles;           ///< current positions [mm]
+    std::vector<double> theta;             ///< [-]
+    std::vector<double> particle_growth;   ///< g [-]
+    std::vector<Vec3> surface;             ///< current positions of the surface vertices [mm]
+    std::vector<Triangle> triangles;
+    std::vector<double> surface_J;
+    std::vector<double> surface_growth;
+};
+
+/// Pictures of one frame: surface by J and by growth, cut through the middle. `folder` is the run folder.
+void render_frame(const std::filesystem::path& folder, const Frame& frame);
+
+/// Plot of the measures against t.
+void render_measures(const std::filesystem::path& folder, std::span<const Measures> rows);
+
+/// Remakes all pictures of a run folder from its files. @throws InputError when it is not a run folder
+void render_run(const std::filesystem::path& folder);
+
+} // namespace corticle

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/simulation/simulation.hpp"
+
+#include "corticle/base/error.hpp"
+#include "corticle/metrics/surface_measures.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <numbers>
+
+namespace corticle
+{
+
+namespace
+{
+
+constexpr std::int64_t onset_interval = 10; ///< steps between looks at the sphere index
+constexpr double onset_rise = 0.01;
+constexpr double step_recovery = 1.05; ///< factor by which a halved step grows back, per step
+
+std::vector<double> gather(std::span<const double> values, std::span<const std::int32_t> at)
+{
+    std::vector<double> result;
+    result.reserve(at.size());
+    for (const std::int32_t k : at)
+    {
+        result.push_back(values[static_cast<std::size_t>(k)]);
+    }
+    return result;
+}
+
+void gather(std::span<const Vec3> values, std::span<const std::int32_t> at, std::vector<Vec3>& result)
+{
+    result.resize(at.size());
+    for (std::size_t k = 0; k < at.size(); ++k)
+    {
+        result[k] = values[static_cast<std::size_t>(at[k])];
+    }
+}
+
+double loading_time(const Body& body, const Options& options)
+{
+    double volume = 0.0;
+    for (const double V : body.cloud.volumes)
+    {
+        volume += V;
+    }
+    const double radius = std::cbrt(3.0 * volume / (4.0 * std::numbers::pi));
+    return options.dynamics.loading_time * radius / wave_speed(options.tissue);
+}
+
+} // namespace
+
+Simulation::Simulation(Body& body, const Options& options)
+    : body_(body), options_(options), solver_(body.particles, body.tissue), mass_(body.cloud.volumes),
+      contact_(body.cloud.surface_triangles, body.surface.vertices, gather(mass_, body.cloud.surface_particles), body.cloud.spacing, options.contact),
+      total_time_(loading_time(body, options)), damping_(options.dynamics.damping / total_time_),
+      travel_limit_(mass_.size(), std::numeric_limits<double>::infinity())
+{
+    State start;
+    start.motion.x = body.cloud.positions;
+    start.motion.v.resize(mass_.size());
+    start.motion.force.resize(mass_.size());
+    restore(std::move(start));
+}
+
+void Simulation::restore(State state)
+{
+    state_ = std::move(state);
+    state_.motion.force.resize(mass_.size());
+    proposed_ = state_.motion;
+    if (!evaluate(state_.motion, state_.t))
+    {
+        give_up(state_.motion, state_.t, 0.0);
+    }
+}
+
+std::vector<Vec3> Simulation::surface_positions() const
+{
+    std::vector<Vec3> positions;
+    gather(state_.motion.x, body_.cloud.surface_particles, positions);
+    return positions;
+}
+
+/// Forces, energies and limits at a motion's positions; false when the positions are invalid.
+bool Simulation::evaluate(Motion& motion, double t)
+{
+    if (!body_.tissue.theta_is_fixed)
+    {
+        body_.tissue.set_layer(t);
+    }
+    const InternalResponse internal = solver_.evaluate(motion.x, t, motion.force);
+    if (internal.invalid_at >= 0)
+    {
+        internal_.invalid_at = internal.invalid_at;
+        return false;
+    }
+    internal_ = internal;
+    critical_dt_ = critical_step(options_.dynamics.cfl, body_.cloud.spacing, internal.stiffest_rate);
+    if (options_.contact.enabled)
+    {
+        const auto& surface = body_.cloud.surface_particles;
+        gather(motion.x, surface, surface_x_);
+        gather(motion.v, surface, surface_v_);
+        surface_force_.assign(surface.size(), Vec3{});
+        contact_response_ = contact_.evaluate(surface_x_, surface_v_, critical_dt_, surface_force_);
+        const std::span<const double> limit = contact_.travel_limit();
+        for (std::size_t k = 0; k < surface.size(); ++k)
+        {
+            const auto i = static_cast<std::size_t>(surface[k]);
+            motion.force[i] += surface_force_[k];
+            travel_limit_[i] = limit[k];
+        }
+    }
+    return true;
+}
+
+void Simulation::step(double t_stop)
+{
+    const double allowed = critical_dt_;
+    const double growth_power = internal_.growth_power;
+    const double contact_power = contact_response_.dissipated_power;
+    for (std::int64_t halvings = 0;; ++halvings)
+    {
+        const double full = allowed * state_.step_scale / total_time_;
+        const double t = t_stop - state_.t <= full ? t_stop : state_.t + full;
+        const double dt = (t - state_.t) * total_time_;
+        const StepEnergies energies = advance(state_.motion, mass_, travel_limit_, dt, damping_, proposed_);
+        if (evaluate(proposed_, t))
+        {
+            std::swap(state_.motion, proposed_);
+            state_.books.growth_work += growth_power * (t - state_.t);
+            state_.books.dissipated += energies.damped + energies.stopped + contact_power * dt;
+            state_.kinetic_energy = energies.kinetic;
+            state_.t = t;
+            ++state_.steps;
+            state_.step_scale = std::min(1.0, state_.step_scale * step_recovery);
+            note_onset();
+            return;
+        }
+        if (halvings == options_.dynamics.max_halvings)
+        {
+            give_up(proposed_, t, dt);
+        }
+        state_.step_scale *= 0.5;
+        ++state_.rejected_steps;
+    }
+}
+
+void Simulation::note_onset()
+{
+    if (state_.steps % onset_interval != 0 || state_.onset_t >= 0.0)
+    {
+        return;
+    }
+    const std::vector<Vec3> x = surface_positions();
+    const double gi = sphere_index(surface_area(x, body_.cloud.surface_triangles), enclosed_volume(x, body_.cloud.surface_triangles));
+    state_.lowest_gi_sphere = std::min(state_.lowest_gi_sphere, gi);
+    if (gi > state_.lowest_gi_sphere + onset_rise)
+    {
+        state_.onset_t = state_.t;
+    }
+}
+
+void Simulation::give_up(const Motion& motion, double t, double dt) const
+{
+    const auto i = static_cast<std::size_t>(internal_.invalid_at);
+    const Mat3 F = solver_.deformation_gradients(motion.x)[i];
+    const Vec3 x = motion.x[i];
+    const Vec3 X = body_.cloud.positions[i];
+    throw RunError(fmt::format("particle {} inverted at step {}, t = {:.6g}, after {} halvings of the step (dt/T = {:.3g}): position ({:.5g}, {:.5g}, "
+                               "{:.5g}) mm, reference ({:.5g}, {:.5g}, {:.5g}) mm, depth {:.4g} mm, J = {:.4g}, F = [[{:.4g}, {:.4g}, {:.4g}], "
+                               "[{:.4g}, {:.4g}, {:.4g}], [{:.4g}, {:.4g}, {:.4g}]], {} neighbours",
+                               i, state_.steps + 1, t, options_.dynamics.max_halvings, dt / total_time_, x.x, x.y, x.z, X.x, X.y, X.z,
+                               body_.tissue.depth[i], determinant(F), F(0, 0), F(0, 1), F(0, 2), F(1, 0), F(1, 1), F(1, 2), F(2, 0), F(2, 1), F(2, 2),
+                               body_.particles.pairs.begin[i + 1] - body_.particles.pairs.begin[i]));
+}
+
+} // namespace corticle

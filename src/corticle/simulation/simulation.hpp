@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/contact/surface_contact.hpp"
+#include "corticle/simulation/body.hpp"
+#include "corticle/simulation/state.hpp"
+#include "corticle/tlsph/solver.hpp"
+
+#include <string>
+
+namespace corticle
+{
+
+/// The loop: grow, F, stress, forces, contact, integrate. Steps follow the state; a step that inverts a particle is
+/// taken back and halved.
+class Simulation
+{
+  public:
+    /// Keeps a reference to the body, whose tissue it advances.
+    Simulation(Body& body, const Options& options);
+
+    /// Starts from a state read from a checkpoint (positions, velocities, books).
+    void restore(State state);
+
+    /// One accepted step, no farther than growth time `t_stop`.
+    /// @throws RunError with the diagnosis (step, t, particle, position, F, J, neighbours) when halving does not help
+    void step(double t_stop);
+
+    const State& state() const { return state_; }
+    const Body& body() const { return body_; }
+    const InternalResponse& internal() const { return internal_; }
+    const ContactResponse& contact() const { return contact_response_; }
+    double total_time() const { return total_time_; }
+    /// Step the state allows now, in growth time [-].
+    double step_size() const { return critical_dt_ * state_.step_scale / total_time_; }
+
+    std::vector<Mat3> deformation_gradients() const { return solver_.deformation_gradients(state_.motion.x); }
+    std::vector<Vec3> surface_positions() const;
+
+  private:
+    bool evaluate(Motion& motion, double t);
+    void note_onset();
+    [[noreturn]] void give_up(const Motion& motion, double t, double dt) const;
+
+    Body& body_;
+    const Options& options_;
+    TlsphSolver solver_;
+    std::vector<double> mass_; ///< density 1 [mm³]
+    SurfaceContact contact_;
+    double total_time_;        ///< T, time of t = 0..1
+    double damping_;           ///< gamma
+    State state_;
+    Motion proposed_;
+    InternalResponse internal_;
+    ContactResponse contact_response_;
+    double critical_dt_ = 0.0;
+    std::vector<double> travel_limit_; ///< per particle
+    std::vector<Vec3> surface_x_;
+    std::vector<Vec3> surface_v_;
+    std::vector<Vec3> surface_force_;
+};
+
+} // namespace corticle

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/simulation/summary.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <sys/resource.h>
+
+namespace corticle
+{
+
+namespace
+{
+
+constexpr double most_zero_mode_share = 0.05;
+constexpr double most_kinetic_share = 0.10;
+
+} // namespace
+
+double peak_memory_mb()
+{
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+std::string summary_json(const Simulation& simulation, const Measures& last, const RunInfo& info)
+{
+    const Body& body = simulation.body();
+    const State& state = simulation.state();
+    const auto particles = static_cast<double>(body.cloud.positions.size());
+    const double work = particles * static_cast<double>(info.session_steps);
+    nlohmann::ordered_json j;
+    j["status"] = info.status;
+    if (!info.reason.empty())
+    {
+        j["reason"] = info.reason;
+    }
+    j["method"] = "tlsph";
+    j["particles"] = body.cloud.positions.size();
+    j["surface_particles"] = body.cloud.surface_particles.size();
+    j["elements"] = 0;
+    j["threads"] = info.threads;
+    j["t"] = state.t;
+    j["steps"] = state.steps;
+    j["rejected_steps"] = state.rejected_steps;
+    j["wall_s"] = info.wall_s;
+    j["us_per_particle_step"] = work > 0.0 ? nlohmann::ordered_json(1e6 * info.session_wall_s / work) : nlohmann::ordered_json(nullptr);
+    j["peak_memory_mb"] = peak_memory_mb();
+    j["area_mm2"] = last.area_mm2;
+    j["volume_mm3"] = last.volume_mm3;
+    j["area_ratio"] = last.area_ratio;
+    j["volume_ratio"] = last.volume_ratio;
+    j["gi_hull"] = last.gi_hull;
+    j["gi_sphere"] = last.gi_sphere;
+    j["onset_t"] = state.onset_t >= 0.0 ? nlohmann::ordered_json(state.onset_t) : nlohmann::ordered_json(nullptr);
+    j["J_min"] = last.J_min;
+    j["J_mean"] = last.J_mean;
+    j["J_max"] = last.J_max;
+    j["energy_elastic"] = last.energy_elastic;
+    j["energy_kinetic"] = last.energy_kinetic;
+    j["energy_zero_mode"] = last.energy_zero_mode;
+    j["energy_contact"] = last.energy_contact;
+    j["energy_dissipated"] = last.energy_dissipated;
+    j["work_growth"] = last.work_growth;
+    j["zero_mode_share"] = last.energy_elastic > 0.0 ? last.energy_zero_mode / last.energy_elastic : 0.0;
+    j["kinetic_share"] = last.energy_elastic > 0.0 ? last.energy_kinetic / last.energy_elastic : 0.0;
+    j["barrier_particles"] = last.barrier_particles;
+    j["max_penetration_mm"] = last.max_penetration_mm;
+    j["overlap_area_share"] = last.overlap_area_share;
+    j["spacing_mm"] = body.cloud.spacing;
+    j["neighbours_mean"] = body.report.neighbors_mean;
+    j["dropped_pairs"] = body.report.visibility.dropped_pairs;
+    if (body.report.input_vertices > 0)
+    {
+        j["remesh_area_change"] = body.report.remesh.area_change;
+        j["remesh_volume_change"] = body.report.remesh.volume_change;
+        j["remesh_largest_distance_mm"] = body.report.remesh.largest_distance_mm;
+    }
+    j["version"] = CORTICLE_VERSION;
+    return j.dump(2) + "\n";
+}
+
+std::vector<std::string> energy_warnings(const Measures& row)
+{
+    std::vector<std::string> warnings;
+    const double zero_mode = row.energy_zero_mode / row.energy_elastic;
+    const double kinetic = row.energy_kinetic / row.energy_elastic;
+    if (zero_mode > most_zero_mode_share)
+    {
+        warnings.push_back(fmt::format("at t = {:.3f} the zero-energy control holds {:.1f} % of the elastic energy (above {:.0f} %): the cloud is coarse "
+                                       "for these folds and acts stiffer than the tissue; more particles lower it",
+                                       row.t, 100.0 * zero_mode, 100.0 * most_zero_mode_share));
+    }
+    if (kinetic > most_kinetic_share)
+    {
+        warnings.push_back(fmt::format("at t = {:.3f} the kinetic energy is {:.1f} % of the elastic energy (above {:.0f} %): growth is too fast to be "
+                                       "quasi-static; a larger solver.loading_time lowers it",
+                                       row.t, 100.0 * kinetic, 100.0 * most_kinetic_share));
+    }
+    return warnings;
+}
+
+} // namespace corticle

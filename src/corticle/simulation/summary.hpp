@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/simulation/measures.hpp"
+
+namespace corticle
+{
+
+/// What a summary tells besides the last measures.
+struct RunInfo
+{
+    std::string status; ///< "completed" | "failed" | "interrupted"
+    std::string reason; ///< of a failure
+    int threads = 1;
+    double wall_s = 0.0;        ///< all sessions of the run together
+    double session_wall_s = 0.0;
+    std::int64_t session_steps = 0;
+};
+
+/// summary.json: see docs/guide/run-folder.md for the keys.
+std::string summary_json(const Simulation& simulation, const Measures& last, const RunInfo& info);
+
+/// Peak resident memory of this process [MB].
+double peak_memory_mb();
+
+/// One line on each share of energy that is too large for quasi-static, well-controlled folding.
+std::vector<std::string> energy_warnings(const Measures& row);
+
+} // namespace corticle

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/tissue/growth.hpp"
+#include "corticle/tissue/options.hpp"
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace corticle
+{
+
+/// What the tissue is at every material point; depends on t only through theta, when the cortex thickens.
+struct Tissue
+{
+    TissueOptions options;
+    std::vector<double> depth;         ///< y, reference distance to the surface [mm]
+    std::vector<Vec3> normal;          ///< n, unit, reference
+    std::vector<double> regional_rate; ///< m [-]
+    std::vector<double> theta;         ///< cortex share at the current t [-]
+    bool theta_is_fixed = true;
+
+    /// theta(y, H(t)), H(t) = H_i + beta t (thesis eqs. 11 and 14).
+    void set_layer(double t);
+};
+
+/// Moduli and growth of one material point at a time t.
+struct MaterialPoint
+{
+    double growth;        ///< g [-]
+    double shear_modulus; ///< [mu_w]
+    double bulk_modulus;  ///< [mu_w]
+};
+
+/// mu = theta mu_c + (1 - theta) mu_w; K = ratio mu (per tissue) or one constant (uniform).
+inline MaterialPoint material_point(const TissueOptions& options, double theta, double regional_rate, double t)
+{
+    const double mu = theta * options.mu_cortex + (1.0 - theta) * options.mu_white;
+    return {growth_ratio(options.alpha_t, theta, regional_rate, t), mu,
+            options.bulk == BulkRule::per_tissue ? options.bulk_modulus * mu : options.bulk_modulus};
+}
+
+/// Binary cortex of an ellipsoid (thesis eq. 24): 1 where sum_k (X_k / r_k)² >= lambda, else 0.
+std::vector<double> ellipsoid_layer(std::span<const Vec3> positions, const std::array<double, 3>& semi_axes, double lambda);
+
+/// Pressure-wave speed of the white matter at density 1: sqrt(K + 4 mu / 3).
+double wave_speed(const TissueOptions& options);
+
+} // namespace corticle

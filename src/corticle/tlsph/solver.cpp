@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/tlsph/solver.hpp"
+
+#include "corticle/base/parallel.hpp"
+#include "corticle/tissue/growth.hpp"
+#include "corticle/tissue/neo_hookean.hpp"
+
+#include <limits>
+
+namespace corticle
+{
+
+namespace
+{
+
+struct PassInput
+{
+    const Particles& particles;
+    const Tissue& tissue;
+    double t;
+    const Vec3* x;
+};
+
+CORTICLE_INLINE NeighborRange neighbors_of(const Particles& particles, std::int64_t i)
+{
+    const std::int64_t begin = particles.pairs.begin[static_cast<std::size_t>(i)];
+    return {particles.pairs.index.data() + begin, particles.weight.data() + begin, particles.pairs.begin[static_cast<std::size_t>(i) + 1] - begin};
+}
+
+/// An upper bound of 1 / (smallest singular value of F): sqrt of the bound m + sqrt(2) s of the largest eigenvalue
+/// of F^-T F^-1 by its mean m and deviation s (Wolkowicz & Styan 1980); exact for isotropic and for uniaxial compression.
+CORTICLE_INLINE double largest_compression(const Mat3& cofactor_F, double J)
+{
+    const Mat3 B = transpose(cofactor_F) * cofactor_F;
+    const double mean = trace(B) / 3.0;
+    const double variance = std::max(0.0, contract(B, B) / 3.0 - mean * mean);
+    return std::sqrt(mean + std::sqrt(2.0 * variance)) / J;
+}
+
+/// Stress, energies and the force record of one particle. Writes to `own_force` the part of its force that its own state makes.
+CORTICLE_INLINE void respond(const PassInput& in, std::int64_t signed_i, ForceRecord& record, Vec3& own_force, InternalResponse& sum)
+{
+    const auto i = static_cast<std::size_t>(signed_i);
+    const Tissue& tissue = in.tissue;
+    const DeformationSums sums = sum_deformation(signed_i, neighbors_of(in.particles, signed_i), in.particles.X.data(), in.x);
+    const Mat3 F = sums.moment * in.particles.correction[i];
+    const Mat3 cofactor_F = cofactor(F);
+    const double J = dot(F.column[0], cofactor_F.column[0]);
+    if (J < sum.smallest_J)
+    {
+        sum.smallest_J = J;
+        sum.smallest_J_at = signed_i;
+    }
+    if (!(J > 0.0) || !(J < std::numeric_limits<double>::max()))
+    {
+        sum.invalid_at = sum.invalid_at < 0 ? signed_i : sum.invalid_at;
+        return;
+    }
+
+    const MaterialPoint point = material_point(tissue.options, tissue.theta[i], tissue.regional_rate[i], in.t);
+    const double g = point.growth;
+    const Mat3 inverse_G = inverse_growth_tensor(g, tissue.normal[i]);
+    const Mat3 F_e = F * inverse_G;
+    const NeoHookean law{point.shear_modulus, point.bulk_modulus, tissue.options.barrier_J};
+    const ElasticResponse elastic = law.respond(F_e);
+    const double volume = in.particles.volume[i];
+    const double zeta = in.particles.options.zeta * point.shear_modulus * g * g;
+
+    const double density = elastic.deviatoric_energy + elastic.volumetric_energy;
+    const double zero_mode = 0.5 * zeta * (sums.squared_lengths - contract(sums.moment, F));
+    sum.elastic_energy += volume * g * g * density;
+    sum.zero_mode_energy += zero_mode;
+    // dPsi/dg at fixed F, times dg/dt; the zero-energy term scales with g².
+    const Vec3 n = tissue.normal[i];
+    const double tangential_work = contract(elastic.stress, F_e) - dot(elastic.stress * n, F_e * n);
+    sum.growth_power += tissue.options.alpha_t * tissue.theta[i] * tissue.regional_rate[i] *
+                        (volume * (2.0 * g * density - g * tangential_work) + 2.0 / g * zero_mode);
+    sum.stiffest_rate = std::max(sum.stiffest_rate, g * std::sqrt(point.bulk_modulus + 4.0 / 3.0 * point.shear_modulus) *
+                                                        largest_compression(cofactor_F, J));
+    sum.barrier_count += J < tissue.options.barrier_J * g * g ? 1 : 0;
+
+    const Mat3 P = (g * g) * (elastic.stress * inverse_G);
+    record.M = volume * (P * in.particles.correction[i]) - zeta * F;
+    record.x = in.x[i];
+    record.x.lane = zeta;
+    own_force = record.M * in.particles.weighted_sum[i] + zeta * sums.weighted_sum;
+}
+
+CORTICLE_EVERY_ISA void deformation_block(const PassInput& in, std::int64_t begin, std::int64_t end, ForceRecord* records, Vec3* forces,
+                                          InternalResponse& sum)
+{
+    for (std::int64_t i = begin; i < end; ++i)
+    {
+        respond(in, i, records[i], forces[i], sum);
+    }
+}
+
+CORTICLE_EVERY_ISA void force_block(const Particles& particles, std::int64_t begin, std::int64_t end, const ForceRecord* records, Vec3* forces)
+{
+    for (std::int64_t i = begin; i < end; ++i)
+    {
+        forces[i] += sum_force(i, neighbors_of(particles, i), particles.X.data(), records);
+    }
+}
+
+void join(InternalResponse& total, const InternalResponse& part)
+{
+    total.elastic_energy += part.elastic_energy;
+    total.zero_mode_energy += part.zero_mode_energy;
+    total.growth_power += part.growth_power;
+    total.stiffest_rate = std::max(total.stiffest_rate, part.stiffest_rate);
+    total.barrier_count += part.barrier_count;
+    if (part.smallest_J < total.smallest_J)
+    {
+        total.smallest_J = part.smallest_J;
+        total.smallest_J_at = part.smallest_J_at;
+    }
+    total.invalid_at = total.invalid_at < 0 ? part.invalid_at : total.invalid_at;
+}
+
+} // namespace
+
+TlsphSolver::TlsphSolver(const Particles& particles, const Tissue& tissue)
+    : particles_(particles), tissue_(tissue), records_(particles.X.size())
+{
+}
+
+InternalResponse TlsphSolver::evaluate(std::span<const Vec3> x, double t, std::span<Vec3> forces)
+{
+    const PassInput in{particles_, tissue_, t, x.data()};
+    InternalResponse initial;
+    initial.smallest_J = std::numeric_limits<double>::infinity();
+    const auto count = static_cast<std::int64_t>(x.size());
+    InternalResponse total = parallel_reduce(
+        count, initial,
+        [&](std::int64_t begin, std::int64_t end)
+        {
+            InternalResponse part = initial;
+            deformation_block(in, begin, end, records_.data(), forces.data(), part);
+            return part;
+        },
+        join);
+    if (total.invalid_at < 0)
+    {
+        parallel_blocks(count, [&](std::int64_t begin, std::int64_t end)
+                        { force_block(particles_, begin, end, records_.data(), forces.data()); });
+        // A non-finite position spreads into its neighbours' J, which the test above sees; energies see the rest.
+        if (!std::isfinite(total.elastic_energy + total.zero_mode_energy))
+        {
+            total.invalid_at = total.smallest_J_at;
+        }
+    }
+    return total;
+}
+
+std::vector<Mat3> TlsphSolver::deformation_gradients(std::span<const Vec3> x) const
+{
+    std::vector<Mat3> F(x.size());
+    parallel_for(static_cast<std::int64_t>(x.size()),
+                 [&](std::int64_t i)
+                 {
+                     const DeformationSums sums = sum_deformation(i, neighbors_of(particles_, i), particles_.X.data(), x.data());
+                     F[static_cast<std::size_t>(i)] = sums.moment * particles_.correction[static_cast<std::size_t>(i)];
+                 });
+    return F;
+}
+
+} // namespace corticle

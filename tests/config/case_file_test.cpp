@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+
+#include "corticle/base/error.hpp"
+#include "corticle/config/case_checks.hpp"
+#include "corticle/config/case_file.hpp"
+#include "corticle/config/expectations.hpp"
+#include "corticle/config/starter.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace corticle
+{
+
+namespace
+{
+
+using Overrides = std::vector<std::string>;
+
+Options parse(std::string_view text, const Overrides& overrides = {})
+{
+    return parse_case(text, "case.toml", overrides, "/cases");
+}
+
+std::filesystem::path case_path(const std::string& name)
+{
+    return std::filesystem::path(CORTICLE_SOURCE_DIR) / "cases" / name;
+}
+
+} // namespace
+
+TEST(CaseFile, AnEmptyCaseHasTheDefaults)
+{
+    const Options options = parse("");
+    EXPECT_EQ(options.geometry.particles, 45000);
+    EXPECT_FALSE(options.geometry.spacing_mm);
+    EXPECT_EQ(options.geometry.radius_mm, GeometryOptions{}.radius_mm);
+    EXPECT_EQ(options.tlsph.support, TlsphOptions{}.support);
+}
+
+TEST(CaseFile, ReadsEveryType)
+{
+    const Options options = parse("[geometry]\nshape = \"ellipsoid\"\nsemi_axes_mm = [10, 9.5, 8]\nspacing_mm = 0.5\n"
+                                  "seed = 7\n[tissue]\nlayer = \"binary\"\nbulk = 'uniform'\nmu_cortex = 1\n"
+                                  "[contact]\nenabled = false\n[output]\ntimes = [0.1, 0.5, 1]\n");
+    EXPECT_EQ(options.geometry.shape, "ellipsoid");
+    EXPECT_EQ(options.geometry.semi_axes_mm, (std::array<double, 3>{10.0, 9.5, 8.0}));
+    EXPECT_EQ(options.geometry.spacing_mm, 0.5);
+    EXPECT_FALSE(options.geometry.particles);
+    EXPECT_EQ(options.geometry.seed, 7);
+    EXPECT_EQ(options.tissue.layer, Layer::binary);
+    EXPECT_EQ(options.tissue.bulk, BulkRule::uniform);
+    EXPECT_EQ(options.tissue.mu_cortex, 1.0);
+    EXPECT_FALSE(options.contact.enabled);
+    EXPECT_EQ(options.output.times, (std::vector<double>{0.1, 0.5, 1.0}));
+}
+
+TEST(CaseFile, OverridesAreTomlOrBareStrings)
+{
+    const Options options = parse("[time]\nend = 0.5\n",
+                                  {"time.end = 0.25", "geometry.shape=ellipsoid", "contact.enabled=false",
+                                   "output.times=[0.1, 0.2]", "output.pictures=\"off\"", "geometry.particles=1_000"});
+    EXPECT_EQ(options.time.end, 0.25);
+    EXPECT_EQ(options.geometry.shape, "ellipsoid");
+    EXPECT_FALSE(options.contact.enabled);
+    EXPECT_EQ(options.output.times, (std::vector<double>{0.1, 0.2}));
+    EXPECT_EQ(options.output.pictures, "off");
+    EXPECT_EQ(options.geometry.particles, 1000);
+}
+
+TEST(CaseFile, TheLastOverrideWins)
+{
+    EXPECT_EQ(parse("", {"time.end=0.1", "time.end=0.2"}).time.end, 0.2);
+}
+
+TEST(CaseFile, AnOverrideReplacesTheAlternativeInTheFile)
+{
+    const Options spacing = parse("[geometry]\nparticles = 1000\n", {"geometry.spacing_mm=1"});
+    EXPECT_EQ(spacing.geometry.spacing_mm, 1.0);
+    EXPECT_FALSE(spacing.geometry.particles);
+    const Options particles = parse("[geometry]\nspacing_mm = 1.0\n", {"geometry.particles=1000"});
+    EXPECT_EQ(particles.geometry.particles, 1000);
+    EXPECT_FALSE(particles.geometry.spacing_mm);
+    EXPECT_TRUE(parse("[output]\ntimes = [0.5]\n", {"output.count=4"}).output.times.empty());
+}
+
+TEST(CaseFile, FilesAreRelativeToTheCaseOrToTheWorkingDirectory)
+{
+    const std::string text = "[geometry]\nshape = \"file\"\nfile = \"a/../brain.stl\"\n";
+    EXPECT_EQ(parse(text).geometry.file, "/cases/brain.stl");
+    EXPECT_EQ(parse(text, {"geometry.file=/other/b.ply"}).geometry.file, "/other/b.ply");
+    EXPECT_EQ(parse(text, {"geometry.file=b.ply"}).geometry.file, std::filesystem::current_path() / "b.ply");
+}
+
+TEST(CaseFile, AResolvedCaseReadsBackEqual)
+{
+    const Overrides changes[] = {
+        {},
+        {"geometry.spacing_mm=0.7", "tissue.alpha_t=0.1", "output.times=[0.1, 0.30000000000000004]"},
+        {"geometry.shape=ellipsoid", "tissue.layer=binary", "tissue.lambda=0.6", "solver.cfl=1e-7"},
+        {"geometry.shape=file", "geometry.file=a \"quoted\" \\ name.stl", "geometry.unit=cm"},
+    };
+    for (const Overrides& overrides : changes)
+    {
+        const std::string resolved = to_toml(parse("", overrides));
+        EXPECT_EQ(to_toml(parse(resolved)), resolved);
+        EXPECT_TRUE(differing_keys(resolved, to_toml(parse(resolved))).empty());
+    }
+}
+
+TEST(CaseFile, DifferingKeysLeaveOutWhatAResumeMayChange)
+{
+    const std::string a = to_toml(parse(""));
+    const std::string b = to_toml(parse("", {"time.end=0.5", "output.count=3", "tissue.mu_white=2"}));
+    EXPECT_EQ(differing_keys(a, b), (std::vector<std::string>{"tissue.mu_white: 1.0 -> 2.0"}));
+    const std::string c = to_toml(parse("", {"geometry.spacing_mm=1"}));
+    EXPECT_EQ(differing_keys(a, c).size(), 2u);
+}
+
+TEST(CaseFile, StarterCasesAreValid)
+{
+    for (const std::string shape : {"sphere", "ellipsoid", "file"})
+    {
+        EXPECT_EQ(parse(starter_case(shape)).geometry.shape, shape);
+    }
+}
+
+TEST(CaseFile, ShippedCasesAreValid)
+{
+    EXPECT_EQ(read_case(case_path("sphere.toml"), {}).tissue.lambda, 0.75);
+    EXPECT_EQ(read_case(case_path("ellipsoid.toml"), {}).geometry.shape, "ellipsoid");
+    const Overrides surface{"geometry.file=brain.stl"};
+    EXPECT_EQ(read_case(case_path("brain.toml"), surface).geometry.particles, 60000);
+    EXPECT_THROW(read_case(case_path("brain.toml"), {}), InputError);
+}
+
+TEST(CaseFile, ExpectationsAreRanges)
+{
+    const auto expected = read_expectations(case_path("sphere.toml"));
+    EXPECT_EQ(expected.at("onset_t"), (std::array<double, 2>{0.235, 0.27}));
+    const auto file = std::filesystem::path(::testing::TempDir()) / "corticle_expect.toml";
+    std::ofstream(file) << "[expect]\nonset_t = [0.3, 0.2]\n";
+    EXPECT_THROW(read_expectations(file), InputError);
+    std::filesystem::remove(file);
+}
+
+TEST(CaseFile, EveryKeyIsInTheSchema)
+{
+    for (const std::string key : {"radius_mm", "barrier_J", "max_halvings", "stiffness", "checkpoint_minutes"})
+    {
+        EXPECT_NE(schema_text().find(key), std::string::npos) << key;
+        EXPECT_NE(schema_markdown().find("`" + key + "`"), std::string::npos) << key;
+    }
+}
+
+TEST(CaseFile, WarnsOfWhatIsProbablyNotMeant)
+{
+    EXPECT_TRUE(case_warnings(parse("")).empty());
+    EXPECT_EQ(case_warnings(parse("[contact]\nenabled = false\n")).size(), 1u);
+    EXPECT_EQ(case_warnings(parse("[output]\ntimes = [0.1, 0.9]\n[time]\nend = 0.5\n")).size(), 1u);
+}
+
+} // namespace corticle

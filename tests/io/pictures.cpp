@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/io/pictures.hpp"
+
+#include "corticle/base/error.hpp"
+#include "corticle/io/plane_section.hpp"
+#include "io/surface_samples.hpp"
+#include "io/temporary_folder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGReader.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <set>
+
+namespace corticle
+{
+
+namespace
+{
+
+using Pixel = std::array<int, 3>;
+
+struct Picture
+{
+    int width = 0;
+    int height = 0;
+    std::set<Pixel> colors;
+    std::vector<Pixel> pixels; ///< rows from below
+
+    Pixel at(int x, int y) const
+    {
+        return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+    }
+};
+
+Picture read_picture(const std::filesystem::path& png)
+{
+    vtkNew<vtkPNGReader> reader;
+    reader->SetFileName(png.c_str());
+    reader->Update();
+    Picture picture;
+    vtkImageData* image = reader->GetOutput();
+    picture.width = image->GetDimensions()[0];
+    picture.height = image->GetDimensions()[1];
+    for (int y = 0; y < picture.height; ++y)
+    {
+        for (int x = 0; x < picture.width; ++x)
+        {
+            const auto* pixel = static_cast<const unsigned char*>(image->GetScalarPointer(x, y, 0));
+            picture.pixels.push_back({pixel[0], pixel[1], pixel[2]});
+            picture.colors.insert(picture.pixels.back());
+        }
+    }
+    return picture;
+}
+
+class Pictures : public ::testing::Test
+{
+  protected:
+    void SetUp() override
+    {
+        std::string reason;
+        if (!can_render(reason))
+        {
+            GTEST_SKIP() << reason;
+        }
+    }
+    TemporaryFolder folder;
+    TriangleMesh mesh = tetrahedron();
+};
+
+} // namespace
+
+TEST_F(Pictures, SurfaceShowsShadedColours)
+{
+    const std::vector<double> values{0, 1, 2, std::nan("")};
+    const ColorScale scale{"value [-]", 0, 2, "viridis"};
+    render_surface(folder / "a.png", mesh.vertices, mesh.triangles, values, scale, "title");
+    render_surface(folder / "b.png", mesh.vertices, mesh.triangles, values, scale, "title");
+    const Picture picture = read_picture(folder / "a.png");
+    EXPECT_EQ(picture.width, 1600);
+    EXPECT_EQ(picture.height, 800);
+    EXPECT_GT(picture.colors.size(), 500u);
+    EXPECT_EQ(picture.at(5, 5), (Pixel{255, 255, 255}));
+    EXPECT_NE(picture.at(1080, 500), (Pixel{255, 255, 255})); // the right panel is drawn, too
+    EXPECT_EQ(bytes_of(folder / "a.png"), bytes_of(folder / "b.png"));
+}
+
+TEST_F(Pictures, CutShowsTheNearestParticles)
+{
+    // One particle of cortex on the left, one of white matter on the right of a section through a tetrahedron.
+    const std::vector<Vec3> particles{{0.2, 0.3, -0.5}, {0.9, 0.3, -0.5}};
+    render_cut(folder / "a.png", particles, std::vector<double>{1, 0}, std::vector<double>{0, 1}, mesh.vertices,
+               mesh.triangles, {"stress [kPa]", 0, 1, "viridis"}, 2, -0.5, "cut");
+    const Picture picture = read_picture(folder / "a.png");
+    EXPECT_EQ(picture.width, 1600);
+    EXPECT_TRUE(picture.colors.contains(Pixel{196, 78, 62}));   // cortex
+    EXPECT_TRUE(picture.colors.contains(Pixel{208, 218, 228})); // white matter
+    EXPECT_TRUE(picture.colors.contains(Pixel{68, 1, 84}));     // low end of viridis
+    EXPECT_TRUE(picture.colors.contains(Pixel{253, 231, 37}));  // high end
+    EXPECT_TRUE(picture.colors.contains(Pixel{0, 0, 0}));       // outline
+}
+
+TEST_F(Pictures, CutBesideTheBodyIsEmptyButDrawn)
+{
+    render_cut(folder / "a.png", {}, {}, {}, mesh.vertices, mesh.triangles, {"stress [kPa]", 0, 1, "viridis"}, 0, 50.0,
+               "beside");
+    EXPECT_GT(read_picture(folder / "a.png").colors.size(), 10u);
+}
+
+TEST_F(Pictures, PlotDrawsCurvesAndSurvivesOddOnes)
+{
+    const double nan = std::nan("");
+    const std::vector<Panel> panels{
+        {"t [-]", "a [mm]", {{"one", {0, 1, 2}, {1, 3, 2}}, {"two", {0, 1, 2}, {2, nan, 1}}}},
+        {"t [-]", "constant", {{"", {0, 1}, {5, 5}}}},
+        {"t [-]", "point", {{"", {0}, {5}}}},
+        {"t [-]", "nothing", {}}};
+    render_plot(folder / "a.png", panels, "plots");
+    const Picture picture = read_picture(folder / "a.png");
+    EXPECT_EQ(picture.width, 1800);
+    EXPECT_TRUE(picture.colors.contains(Pixel{0, 114, 178}));
+    EXPECT_TRUE(picture.colors.contains(Pixel{213, 94, 0}));
+}
+
+TEST_F(Pictures, ReportsWhereItCannotWrite)
+{
+    EXPECT_THROW(render_plot(folder / "none/a.png", {}, "title"), RunError);
+}
+
+TEST(PlaneSection, MaskFollowsTheWindingNumber)
+{
+    // A square of 4 mm and, overlapping it, a second one: the overlap is wound twice and still inside.
+    const auto square = [](double low, double high)
+    {
+        return std::vector<Segment>{{{low, low}, {high, low}},
+                                    {{high, low}, {high, high}},
+                                    {{high, high}, {low, high}},
+                                    {{low, high}, {low, low}}};
+    };
+    std::vector<Segment> outline = square(1, 5);
+    const std::vector<Segment> second = square(3, 7);
+    outline.insert(outline.end(), second.begin(), second.end());
+    const PixelGrid grid{8, 8, 0.0, 0.0, 1.0};
+    const std::vector<std::uint8_t> mask = inside_mask(outline, grid);
+    const std::vector<std::string> expected{"00000000", "01111000", "01111000", "01111110",
+                                            "01111110", "00011110", "00011110", "00000000"};
+    for (std::size_t row = 0; row < 8; ++row)
+    {
+        for (std::size_t column = 0; column < 8; ++column)
+        {
+            EXPECT_EQ(mask[8 * row + column], expected[row][column] - '0') << row << " " << column;
+        }
+    }
+}
+
+TEST(PlaneSection, OutlineOfAClosedSurfaceIsClosed)
+{
+    const TriangleMesh mesh = tetrahedron();
+    for (const double height : {-2.9, -1.0, 0.0}) // at 0 three vertices lie on the plane
+    {
+        std::array<double, 2> sum{};
+        const std::vector<Segment> outline = section_outline(mesh.vertices, mesh.triangles, {2, height});
+        EXPECT_EQ(outline.size(), 3u);
+        for (const Segment& segment : outline)
+        {
+            sum = {sum[0] + segment.to[0] - segment.from[0], sum[1] + segment.to[1] - segment.from[1]};
+        }
+        EXPECT_NEAR(std::abs(sum[0]) + std::abs(sum[1]), 0.0, 1e-12); // round-off of a few additions of order 1
+    }
+}
+
+TEST(PlaneSection, NearestParticleAgreesWithTryingAll)
+{
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> place(-10.0, 10.0);
+    std::vector<Vec3> particles(2000);
+    for (Vec3& particle : particles)
+    {
+        particle = {place(random), place(random), place(random)};
+    }
+    const Plane plane{1, 2.0};
+    const PixelGrid grid{40, 30, -14.0, -11.0, 0.7};
+    const std::vector<std::uint8_t> everywhere(1200, 1);
+    const std::vector<std::int32_t> nearest = nearest_particles(particles, plane, grid, everywhere);
+    for (int row = 0; row < grid.height; ++row)
+    {
+        for (int column = 0; column < grid.width; ++column)
+        {
+            const Vec3 pixel{grid.right_of(column), plane.coordinate, grid.up_of(row)};
+            double best = std::numeric_limits<double>::infinity();
+            for (const Vec3& particle : particles)
+            {
+                best = std::min(best, norm(particle - pixel));
+            }
+            const auto found = nearest[static_cast<std::size_t>(row * grid.width + column)];
+            EXPECT_NEAR(norm(particles[static_cast<std::size_t>(found)] - pixel), best, 1e-12);
+        }
+    }
+}
+
+} // namespace corticle
