@@ -58,6 +58,8 @@ def fold(command, case, out):
     arguments = [str(command), "run", str(case), "--out", str(out)]
     if same and (out / "checkpoint.h5").is_file():
         arguments.append("--resume")
+    elif (out / "case.toml").is_file():
+        arguments.append("--overwrite")
     out.parent.mkdir(parents=True, exist_ok=True)
     stamp.write_text(now + "\n", encoding="utf-8")
     print(" ".join(arguments), flush=True)

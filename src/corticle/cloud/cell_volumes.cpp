@@ -17,8 +17,8 @@ namespace corticle
 namespace
 {
 
-constexpr double lines_per_spacing = 7.0;
-constexpr double reach = 1.25; ///< farthest owner of a place, in spacings: holes of a relaxed cloud are smaller
+constexpr double lines_per_spacing = 6.0;
+constexpr double reach = 1.25;        ///< farthest owner of a place, in spacings: holes of a relaxed cloud are smaller
 constexpr std::int64_t batch = 16384; ///< lines whose shares are held at a time
 constexpr double least_volume = 1e-3; ///< of a cell that no line met, in cubic spacings
 
@@ -54,9 +54,10 @@ double equidistant_height(const Site& a, const Site& b)
 /// The lower envelope of the sites' parabolas, from below to above (Felzenszwalb & Huttenlocher 2012).
 void lower_envelope(std::vector<Site>& sites, std::vector<Piece>& pieces)
 {
-    std::sort(sites.begin(), sites.end(),
-              [](const Site& a, const Site& b)
-              { return std::tie(a.height, a.squared_distance, a.index) < std::tie(b.height, b.squared_distance, b.index); });
+    std::sort(
+        sites.begin(), sites.end(),
+        [](const Site& a, const Site& b)
+        { return std::tie(a.height, a.squared_distance, a.index) < std::tie(b.height, b.squared_distance, b.index); });
     pieces.clear();
     for (const Site& site : sites)
     {
@@ -148,7 +149,8 @@ std::vector<double> cell_volumes(const TriangleMesh& surface, std::span<const Ve
     for (std::int64_t first = 0; first < lines.count(); first += batch)
     {
         const Shares shares = parallel_reduce(
-            std::min(batch, lines.count() - first), Shares{}, [&](std::int64_t begin, std::int64_t end)
+            std::min(batch, lines.count() - first), Shares{},
+            [&](std::int64_t begin, std::int64_t end)
             { return shares_of_lines(lines, grid, first + begin, first + end); },
             [](Shares& all, const Shares& part) { all.insert(all.end(), part.begin(), part.end()); });
         for (const Share& share : shares)

@@ -6,8 +6,8 @@
 namespace corticle
 {
 
-/// Volumes of the Voronoi cells of points, cut at a closed surface [mm³]: exact along lines parallel to z, summed over a
-/// lattice of such lines, then scaled so that they sum to the enclosed volume. All are positive.
+/// Volumes of the Voronoi cells of points, cut at a closed surface [mm³]: exact along lines parallel to z, summed over
+/// a lattice of such lines, then scaled so that they sum to the enclosed volume. All are positive.
 std::vector<double> cell_volumes(const TriangleMesh& surface, std::span<const Vec3> points, double spacing);
 
 } // namespace corticle

@@ -7,7 +7,7 @@ namespace corticle
 
 struct CloudOptions
 {
-    double spacing = 0.0;    ///< [mm]
+    double spacing = 0.0; ///< [mm]
     std::uint64_t seed = 1;
 };
 

@@ -28,8 +28,8 @@ Cloud fill_surface(const TriangleMesh& surface, const CloudOptions& options)
     const double volume = enclosed_volume(surface.vertices, surface.triangles);
     if (!(options.spacing > 0.0) || !(volume > 0.0))
     {
-        throw InputError(fmt::format("spacing {} mm in a surface of {} mm³; expected positive numbers", options.spacing,
-                                     volume));
+        throw InputError(
+            fmt::format("spacing {} mm in a surface of {} mm³; expected positive numbers", options.spacing, volume));
     }
     const double wanted = volume / (options.spacing * options.spacing * options.spacing);
     constexpr double most = 1e9; // particle indices have 32 bits

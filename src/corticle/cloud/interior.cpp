@@ -14,13 +14,13 @@ namespace corticle
 namespace
 {
 
-constexpr double start_depth = 0.5;    ///< of the scattered points, in spacings
-constexpr double wall_depth = 0.6;     ///< that the relaxation keeps, in spacings
-constexpr double least_depth = 0.3;    ///< the same where the body is thin
+constexpr double start_depth = 0.5; ///< of the scattered points, in spacings
+constexpr double wall_depth = 0.6;  ///< that the relaxation keeps, in spacings
+constexpr double least_depth = 0.3; ///< the same where the body is thin
 constexpr int relaxation_sweeps = 40;
 constexpr double repulsion_range = 1.7; ///< in spacings
 constexpr double repulsion_step = 0.3;
-constexpr double longest_move = 0.1;   ///< in spacings
+constexpr double longest_move = 0.1; ///< in spacings
 
 /// A lattice of cubic cells over the box of a surface.
 struct Lattice

@@ -11,8 +11,8 @@ namespace corticle
 /// each cell of a cubic lattice, whose width is fitted to the count.
 std::vector<Vec3> scatter_inside(const SurfaceTree& tree, std::int64_t count, const CloudOptions& options);
 
-/// Spreads points evenly by pair repulsion [mm]. The first ones are the vertices of the surface and stay; the others keep
-/// their distance from the surface where the body is thick enough for it, and never leave it.
+/// Spreads points evenly by pair repulsion [mm]. The first ones are the vertices of the surface and stay; the others
+/// keep their distance from the surface where the body is thick enough for it, and never leave it.
 void relax_inside(const SurfaceTree& tree, double spacing, std::vector<Vec3>& points);
 
 } // namespace corticle

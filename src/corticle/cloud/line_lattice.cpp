@@ -10,8 +10,8 @@ namespace corticle
 namespace
 {
 
-/// On which side of the edge from a to b, seen along z, the point (x, y) lies. Exactly antisymmetric in the ends, so that
-/// a line meets exactly one of the two triangles of an edge.
+/// On which side of the edge from a to b, seen along z, the point (x, y) lies. Exactly antisymmetric in the ends, so
+/// that a line meets exactly one of the two triangles of an edge.
 bool left_of_edge(std::span<const Vec3> vertices, std::int32_t a, std::int32_t b, double x, double y)
 {
     const bool swap = a > b;

@@ -25,8 +25,7 @@ double closest_pair_squared(std::span<const Vec3> positions, const CellGrid& gri
             double closest = infinity;
             for (std::int64_t i = begin; i < end; ++i)
             {
-                grid.near(positions[i],
-                          [&](std::int32_t j, const Vec3& p)
+                grid.near(positions[i], [&](std::int32_t j, const Vec3& p)
                           { closest = j == i ? closest : std::min(closest, squared_norm(p - positions[i])); });
             }
             return closest;
@@ -47,8 +46,8 @@ CloudQuality measure_quality(const Cloud& cloud)
     quality.closest_pair_spacings = std::sqrt(closest_pair_squared(cloud.positions, grid)) / cloud.spacing;
     quality.smallest_volume = *std::min_element(cloud.volumes.begin(), cloud.volumes.end());
     quality.largest_volume = *std::max_element(cloud.volumes.begin(), cloud.volumes.end());
-    quality.mean_volume = std::accumulate(cloud.volumes.begin(), cloud.volumes.end(), 0.0) /
-                          static_cast<double>(cloud.volumes.size());
+    quality.mean_volume =
+        std::accumulate(cloud.volumes.begin(), cloud.volumes.end(), 0.0) / static_cast<double>(cloud.volumes.size());
     return quality;
 }
 

@@ -12,14 +12,16 @@
 namespace corticle
 {
 
-/// Points sorted into cubic cells, for all points near a place. z varies fastest, so three cells of a row are one range.
+/// Points sorted into cubic cells, for all points near a place. z varies fastest, so three cells of a row are one
+/// range.
 class CellGrid
 {
   public:
     /// Cells no smaller than `cell_size` [mm]; larger where the box of the points would hold too many.
     CellGrid(std::span<const Vec3> points, double cell_size);
 
-    /// Calls visit(index, position) for the points in the 27 cells about `place`: all those within a cell size are there.
+    /// Calls visit(index, position) for the points in the 27 cells about `place`: all those within a cell size are
+    /// there.
     template <class Visit>
     void near(const Vec3& place, Visit&& visit) const
     {

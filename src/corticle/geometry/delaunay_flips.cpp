@@ -94,9 +94,10 @@ class FlipMesh
     {
         const Vec3 n_c = normal(a, b, c);
         const Vec3 n_d = normal(b, a, d);
-        constexpr double crease = 0.5; // cosine of the angle between the normals
+        constexpr double crease = 0.7; // cosine of the angle between the normals
         const Vec3 old_normal = n_c + n_d;
-        return dot(n_c, n_d) < crease * norm(n_c) * norm(n_d) || dot(normal(a, d, c), old_normal) <= 0.0 || dot(normal(d, b, c), old_normal) <= 0.0;
+        return dot(n_c, n_d) < crease * norm(n_c) * norm(n_d) || dot(normal(a, d, c), old_normal) <= 0.0 ||
+               dot(normal(d, b, c), old_normal) <= 0.0;
     }
 
     bool stays(std::int32_t vertex) const { return !stays_.empty() && stays_[vertex] != 0; }

@@ -54,7 +54,8 @@ inline std::array<double, 3> closest_on_triangle(const Vec3& p, const Vec3& a, c
     return {1.0 - (vb + vc) / sum, vb / sum, vc / sum};
 }
 
-/// Parameters (s, t) in [0, 1]² of the closest points a + s (b - a), c + t (d - c) of two segments (Ericson 2005, section 5.1.9).
+/// Parameters (s, t) in [0, 1]² of the closest points a + s (b - a), c + t (d - c) of two segments (Ericson 2005,
+/// section 5.1.9).
 inline std::array<double, 2> closest_of_segments(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
 {
     const Vec3 u = b - a;

@@ -14,7 +14,7 @@ namespace
 constexpr int rounds = 6;
 constexpr int sweeps_per_round = 5;
 constexpr double range_edges = 1.8; ///< of the push, in edge lengths
-constexpr double step = 0.2;
+constexpr double step = 0.06;
 constexpr double longest_move = 0.1; ///< in edge lengths
 
 /// Ends of the edges that leave each vertex: those of vertex v are end[begin[v]] … end[begin[v+1]-1].
@@ -90,8 +90,8 @@ void push_and_flip(TriangleMesh& mesh, const SurfaceTree& surface, double edge_l
                          [&](std::int64_t v)
                          {
                              const Vec3 move = tangential_push(mesh, rings, v, normals[v], edge_length);
-                             places[v] = stays[v] != 0 ? mesh.vertices[v]
-                                                       : surface.closest(mesh.vertices[v] + move).position;
+                             places[v] =
+                                 stays[v] != 0 ? mesh.vertices[v] : surface.closest(mesh.vertices[v] + move).position;
                          });
             mesh.vertices.swap(places);
         }
@@ -132,7 +132,7 @@ void mark_crossings(const TriangleMesh& mesh, std::span<const std::pair<std::int
 void even_out(TriangleMesh& mesh, const SurfaceTree& surface, double edge_length)
 {
     // Where the result folds (at the bottom of a fissure) the mesh is left as it was, and the rest done again.
-    constexpr int most_tries = 6;
+    constexpr int most_tries = 3;
     std::vector<char> stays(mesh.vertices.size(), 0);
     for (int attempt = 0; attempt < most_tries; ++attempt)
     {

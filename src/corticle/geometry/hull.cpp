@@ -29,13 +29,17 @@ bool all_in_one_plane(const std::vector<Point>& points)
     {
         return true;
     }
-    const auto third = std::find_if(other, points.end(),
-                                    [&](const Point& p) { return !CGAL::collinear(points[0], *other, p); });
-    return third == points.end() || std::all_of(third, points.end(), [&](const Point& p)
-                                                { return CGAL::coplanar(points[0], *other, *third, p); });
+    const auto third =
+        std::find_if(other, points.end(), [&](const Point& p) { return !CGAL::collinear(points[0], *other, p); });
+    return third == points.end() ||
+           std::all_of(third, points.end(),
+                       [&](const Point& p) { return CGAL::coplanar(points[0], *other, *third, p); });
 }
 
-std::int32_t index(Mesh::Vertex_index vertex) { return static_cast<std::int32_t>(vertex.idx()); }
+std::int32_t index(Mesh::Vertex_index vertex)
+{
+    return static_cast<std::int32_t>(vertex.idx());
+}
 
 /// Vertices in lexicographic order, triangles too, each from its lowest vertex: CGAL's order varies from run to run.
 void sort_elements(TriangleMesh& mesh)

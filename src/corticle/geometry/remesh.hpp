@@ -8,8 +8,8 @@ namespace corticle
 
 struct RemeshReport
 {
-    double area_change = 0.0;        ///< (new - old) / old
-    double volume_change = 0.0;      ///< (new - old) / old
+    double area_change = 0.0;         ///< (new - old) / old
+    double volume_change = 0.0;       ///< (new - old) / old
     double largest_distance_mm = 0.0; ///< of a new vertex or centroid to the old surface
 };
 

@@ -10,9 +10,9 @@
 namespace corticle
 {
 
-/// Moves that spread points [mm]: move_i = step * range * sum_j w(r_ij / range) r_ij / |r_ij|, w(q) = (1 - q)², over the
-/// points closer than `range`, for the points from index `first` on; no longer than `longest`. The same bits for any
-/// number of threads.
+/// Moves that spread points [mm]: move_i = step * range * sum_j w(r_ij / range) r_ij / |r_ij|, w(q) = (1 - q)², over
+/// the points closer than `range`, for the points from index `first` on; no longer than `longest`. The same bits for
+/// any number of threads.
 void repulsion_moves(std::span<const Vec3> points, std::int64_t first, double range, double step, double longest,
                      std::vector<Vec3>& moves);
 

@@ -24,8 +24,14 @@ using Axes = std::array<double, 3>;
 constexpr std::uint64_t shape_seed = 20;
 constexpr int relaxation_sweeps = 150;
 
-Vec3 onto_sphere(const Vec3& p, const Axes& a) { return normalized({p.x / a[0], p.y / a[1], p.z / a[2]}); }
-Vec3 onto_ellipsoid(const Vec3& unit, const Axes& a) { return {a[0] * unit.x, a[1] * unit.y, a[2] * unit.z}; }
+Vec3 onto_sphere(const Vec3& p, const Axes& a)
+{
+    return normalized({p.x / a[0], p.y / a[1], p.z / a[2]});
+}
+Vec3 onto_ellipsoid(const Vec3& unit, const Axes& a)
+{
+    return {a[0] * unit.x, a[1] * unit.y, a[2] * unit.z};
+}
 
 /// Area of the ellipsoid over that of the unit sphere, at a point of the sphere [mm²].
 double area_stretch(const Vec3& u, const Axes& a)
@@ -92,15 +98,15 @@ void relax_on_ellipsoid(std::vector<Vec3>& points, const Axes& a, double edge_le
     for (int sweep = 0; sweep < relaxation_sweeps; ++sweep)
     {
         repulsion_moves(points, 0, 2.0 * edge_length, 0.12, 0.25 * edge_length, moves);
-        parallel_for(static_cast<std::int64_t>(points.size()),
-                     [&](std::int64_t i)
-                     {
-                         const Vec3& p = points[i];
-                         const Vec3 normal =
-                             normalized({p.x / (a[0] * a[0]), p.y / (a[1] * a[1]), p.z / (a[2] * a[2])});
-                         const Vec3 tangential = moves[i] - dot(moves[i], normal) * normal;
-                         points[i] = onto_ellipsoid(onto_sphere(p + tangential, a), a);
-                     });
+        parallel_for(
+            static_cast<std::int64_t>(points.size()),
+            [&](std::int64_t i)
+            {
+                const Vec3& p = points[i];
+                const Vec3 normal = normalized({p.x / (a[0] * a[0]), p.y / (a[1] * a[1]), p.z / (a[2] * a[2])});
+                const Vec3 tangential = moves[i] - dot(moves[i], normal) * normal;
+                points[i] = onto_ellipsoid(onto_sphere(p + tangential, a), a);
+            });
     }
 }
 

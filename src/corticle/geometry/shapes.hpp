@@ -6,8 +6,9 @@
 namespace corticle
 {
 
-/// An ellipsoid centred at the origin (a sphere when the semi-axes are equal) [mm], triangulated with edges of about the given length.
-/// Irregular (no symmetry axis but those of the shape), deterministic; its enclosed volume is 4 pi a b c / 3 to round-off.
+/// An ellipsoid centred at the origin (a sphere when the semi-axes are equal) [mm], triangulated with edges of about
+/// the given length. Irregular (no symmetry axis but those of the shape), deterministic; its enclosed volume is 4 pi a
+/// b c / 3 to round-off.
 TriangleMesh make_ellipsoid(const std::array<double, 3>& semi_axes, double edge_length);
 
 } // namespace corticle

@@ -18,8 +18,14 @@ constexpr std::int32_t leaf_size = 4;
 // The tree halves its ranges, so it is never deeper than 32 levels and a walk never holds more nodes than that.
 constexpr int stack_size = 64;
 
-Vec3 minimum(const Vec3& a, const Vec3& b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
-Vec3 maximum(const Vec3& a, const Vec3& b) { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
+Vec3 minimum(const Vec3& a, const Vec3& b)
+{
+    return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
+}
+Vec3 maximum(const Vec3& a, const Vec3& b)
+{
+    return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
+}
 
 double squared_distance_to_box(const Vec3& p, const Vec3& low, const Vec3& high)
 {
@@ -237,7 +243,10 @@ Vec3 SurfaceTree::pseudonormal(const SurfacePoint& foot) const
     return cross(x[t[1]] - x[t[0]], x[t[2]] - x[t[0]]);
 }
 
-double SurfaceTree::signed_distance(const Vec3& point) const { return signed_distance(point, closest(point)); }
+double SurfaceTree::signed_distance(const Vec3& point) const
+{
+    return signed_distance(point, closest(point));
+}
 
 double SurfaceTree::signed_distance(const Vec3& point, const SurfacePoint& foot) const
 {

@@ -9,10 +9,10 @@ namespace corticle
 /// Closest point of a surface.
 struct SurfacePoint
 {
-    std::int32_t triangle = -1;             ///< -1 where there is none
-    Vec3 position;                          ///< [mm]
-    std::array<double, 3> barycentric{};    ///< weights of the triangle's corners, sum 1
-    double squared_distance = 0.0;          ///< [mm²]
+    std::int32_t triangle = -1;          ///< -1 where there is none
+    Vec3 position;                       ///< [mm]
+    std::array<double, 3> barycentric{}; ///< weights of the triangle's corners, sum 1
+    double squared_distance = 0.0;       ///< [mm²]
 };
 
 /// Bounding-volume tree over the triangles of a surface: closest points, crossings, winding numbers.
@@ -52,9 +52,9 @@ class SurfaceTree
     struct Node
     {
         Vec3 low, high;
-        std::int32_t left = -1;  ///< child, or -1 for a leaf
+        std::int32_t left = -1; ///< child, or -1 for a leaf
         std::int32_t right = -1;
-        std::int32_t first = 0;  ///< leaf: range of order_
+        std::int32_t first = 0; ///< leaf: range of order_
         std::int32_t count = 0;
     };
 
@@ -66,8 +66,8 @@ class SurfaceTree
     bool count_crossings(const Vec3& point, const Vec3& direction, int& crossings) const;
 
     TriangleMesh mesh_;
-    std::vector<Vec3> normals_;                      ///< of the vertices
-    std::vector<std::array<Vec3, 3>> edge_normals_;  ///< sum of the two face normals; edge k is opposite to corner k
+    std::vector<Vec3> normals_;                     ///< of the vertices
+    std::vector<std::array<Vec3, 3>> edge_normals_; ///< sum of the two face normals; edge k is opposite to corner k
     std::vector<Node> nodes_;
     std::vector<std::int32_t> order_;
 };

@@ -33,8 +33,8 @@ SurfacePoint closest_point_of_edge(const TriangleMesh& mesh, std::int32_t triang
     return result;
 }
 
-/// Six times the volume of (0, direction, a - point, b - point); its sign says on which side of the edge the ray passes.
-/// Exactly antisymmetric in the two vertices.
+/// Six times the volume of (0, direction, a - point, b - point); its sign says on which side of the edge the ray
+/// passes. Exactly antisymmetric in the two vertices.
 double side_of_edge(const TriangleMesh& mesh, std::int32_t a, std::int32_t b, const Vec3& point, const Vec3& direction)
 {
     const bool swap = a > b;

@@ -38,7 +38,8 @@ std::vector<DirectedEdge> sorted_edges(const TriangleMesh& surface)
             edges.push_back({std::min(a, b), std::max(a, b), a < b});
         }
     }
-    std::sort(edges.begin(), edges.end(), [](const DirectedEdge& a, const DirectedEdge& b)
+    std::sort(edges.begin(), edges.end(),
+              [](const DirectedEdge& a, const DirectedEdge& b)
               { return std::tie(a.low, a.high, a.forward) < std::tie(b.low, b.high, b.forward); });
     return edges;
 }
@@ -65,13 +66,14 @@ void require_numbers(const TriangleMesh& surface, const std::string& source)
         {
             if (vertex < 0 || vertex >= count)
             {
-                throw InputError(fmt::format("{}: triangle {} refers to vertex {}; expected 0 to {}", source, f, vertex,
-                                             count - 1));
+                throw InputError(
+                    fmt::format("{}: triangle {} refers to vertex {}; expected 0 to {}", source, f, vertex, count - 1));
             }
         }
         if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
         {
-            throw InputError(fmt::format("{}: triangle {} has a vertex twice: {}, {}, {}", source, f, t[0], t[1], t[2]));
+            throw InputError(
+                fmt::format("{}: triangle {} has a vertex twice: {}, {}, {}", source, f, t[0], t[1], t[2]));
         }
     }
 }
@@ -240,8 +242,8 @@ TriangleMesh merge_duplicates(const TriangleMesh& surface)
         return std::tie(p.x, p.y, p.z, a) < std::tie(q.x, q.y, q.z, b);
     };
     // Vertices that are not finite have no order; they stay as they are, for require_valid_surface to name.
-    const auto finite_end =
-        std::stable_partition(order.begin(), order.end(), [&](std::int32_t v) { return is_finite(surface.vertices[v]); });
+    const auto finite_end = std::stable_partition(order.begin(), order.end(),
+                                                  [&](std::int32_t v) { return is_finite(surface.vertices[v]); });
     std::sort(order.begin(), finite_end, less);
     std::vector<std::int32_t> same(surface.vertices.size());
     std::iota(same.begin(), same.end(), 0);

@@ -31,6 +31,12 @@ inline std::string_view take_word(std::string_view& text)
     return word;
 }
 
+/// True when there is nothing but white space.
+inline bool is_blank(std::string_view text)
+{
+    return take_word(text).empty();
+}
+
 /// Takes the next line off the front of `text`, without its end ("\n", "\r\n"); false at the end.
 inline bool take_line(std::string_view& text, std::string_view& line)
 {

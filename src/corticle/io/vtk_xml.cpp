@@ -6,174 +6,15 @@
 
 #include <fmt/format.h>
 
-#include <array>
-
 namespace corticle
 {
 
 namespace
 {
 
-constexpr std::array<std::pair<std::string_view, char>, 5> entities{
-    {{"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}, {"&apos;", '\''}, {"&amp;", '&'}}};
-
 constexpr std::size_t free_growth = 1 << 16;
 
-bool is_blank(std::string_view text)
-{
-    return take_word(text).empty();
-}
-
-/// Reads the attributes of a tag; false where they are malformed.
-bool take_attributes(std::string_view inside, XmlTag& tag)
-{
-    while (!is_blank(inside))
-    {
-        while (is_space(inside.front()))
-        {
-            inside.remove_prefix(1);
-        }
-        const std::size_t equals = inside.find('=');
-        if (equals == std::string_view::npos || equals + 1 >= inside.size())
-        {
-            return false;
-        }
-        std::string_view key = inside.substr(0, equals);
-        key = take_word(key);
-        const char quote = inside[equals + 1];
-        const std::size_t close = inside.find(quote, equals + 2);
-        if (key.empty() || (quote != '"' && quote != '\'') || close == std::string_view::npos)
-        {
-            return false;
-        }
-        tag.attributes.emplace_back(key, inside.substr(equals + 2, close - equals - 2));
-        inside.remove_prefix(close + 1);
-    }
-    return true;
-}
-
-/// Position after a comment or declaration that begins at `open`; npos when it does not end, `open` when it is a tag.
-std::size_t skip_declaration(std::string_view text, std::size_t open)
-{
-    const auto after = [&](std::string_view ending)
-    {
-        const std::size_t found = text.find(ending, open);
-        return found == std::string_view::npos ? found : found + ending.size();
-    };
-    const std::string_view start = text.substr(open, 4);
-    if (start == "<!--")
-    {
-        return after("-->");
-    }
-    if (start.substr(0, 2) == "<?")
-    {
-        return after("?>");
-    }
-    return start.substr(0, 2) == "<!" ? after(">") : open;
-}
-
-/// Position of the '>' that ends a tag, outside quotes.
-std::size_t end_of_tag(std::string_view text, std::size_t position)
-{
-    char quote = 0;
-    for (; position < text.size(); ++position)
-    {
-        const char c = text[position];
-        if (quote != 0)
-        {
-            quote = c == quote ? '\0' : quote;
-        }
-        else if (c == '"' || c == '\'')
-        {
-            quote = c;
-        }
-        else if (c == '>' || c == '<')
-        {
-            return c == '>' ? position : std::string_view::npos;
-        }
-    }
-    return std::string_view::npos;
-}
-
 } // namespace
-
-std::string_view XmlTag::attribute(std::string_view key, std::string_view otherwise) const
-{
-    for (const auto& [name_of_attribute, value] : attributes)
-    {
-        if (name_of_attribute == key)
-        {
-            return value;
-        }
-    }
-    return otherwise;
-}
-
-bool next_tag(std::string_view text, std::size_t position, XmlTag& tag)
-{
-    std::size_t open = text.find('<', position);
-    while (open != std::string_view::npos)
-    {
-        const std::size_t after = skip_declaration(text, open);
-        if (after == open)
-        {
-            break;
-        }
-        open = after == std::string_view::npos ? after : text.find('<', after);
-    }
-    const std::size_t close = open == std::string_view::npos ? open : end_of_tag(text, open + 1);
-    if (close == std::string_view::npos)
-    {
-        return false;
-    }
-    std::string_view inside = text.substr(open + 1, close - open - 1);
-    tag = XmlTag{};
-    tag.begin = open;
-    tag.end = close + 1;
-    tag.closes = !inside.empty() && inside.front() == '/';
-    inside.remove_prefix(tag.closes ? 1 : 0);
-    tag.is_empty = !inside.empty() && inside.back() == '/';
-    inside.remove_suffix(tag.is_empty ? 1 : 0);
-    tag.name = take_word(inside);
-    return !tag.name.empty() && take_attributes(inside, tag);
-}
-
-std::string unescape_xml(std::string_view text)
-{
-    std::string result;
-    while (!text.empty())
-    {
-        std::size_t used = 1;
-        char c = text.front();
-        for (const auto& [entity, meaning] : entities)
-        {
-            if (text.substr(0, entity.size()) == entity)
-            {
-                used = entity.size();
-                c = meaning;
-                break;
-            }
-        }
-        result.push_back(c);
-        text.remove_prefix(used);
-    }
-    return result;
-}
-
-std::string escape_xml(std::string_view text)
-{
-    std::string result;
-    for (const char c : text)
-    {
-        std::string_view written(&c, 1);
-        for (const auto& [entity, meaning] : entities)
-        {
-            written = c == meaning ? entity : written;
-        }
-        result += written;
-    }
-    return result;
-}
 
 std::int64_t VtkXmlPiece::count(const std::string& key) const
 {
@@ -281,16 +122,16 @@ void VtkXmlFile::find_appended_data(std::string_view bytes, const XmlTag& tag)
 void VtkXmlFile::parse(std::string_view bytes)
 {
     std::vector<std::string_view> open; // names of the elements around the current position
+    bool array_is_open = false;
     XmlTag tag;
     for (std::size_t position = 0; next_tag(bytes, position, tag); position = tag.end)
     {
-        const bool in_array =
-            !open.empty() && open.back() == "DataArray" && !pieces_.empty() && !pieces_.back().arrays.empty();
         const std::string_view before = bytes.substr(position, tag.begin - position);
-        if (in_array && is_blank(pieces_.back().arrays.back().content) && !is_blank(before))
+        if (array_is_open && pieces_.back().arrays.back().content.empty() && !is_blank(before))
         {
             pieces_.back().arrays.back().content = before;
         }
+        array_is_open = array_is_open && !(tag.closes && tag.name == "DataArray");
         if (tag.closes)
         {
             if (open.empty() || open.back() != tag.name)
@@ -312,9 +153,10 @@ void VtkXmlFile::parse(std::string_view bytes)
         {
             add_piece(tag);
         }
-        else if (tag.name == "DataArray" && open.size() == 4 && open[2] == "Piece")
+        else if (tag.name == "DataArray" && open.size() == 4 && open[1] == type_ && open[2] == "Piece")
         {
             add_array(tag, open.back());
+            array_is_open = !tag.is_empty;
         }
         if (!tag.is_empty)
         {

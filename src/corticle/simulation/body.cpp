@@ -5,6 +5,7 @@
 #include "corticle/base/parallel.hpp"
 #include "corticle/cloud/fill.hpp"
 #include "corticle/cloud/quality.hpp"
+#include "corticle/config/parameters.hpp"
 #include "corticle/geometry/shapes.hpp"
 #include "corticle/geometry/validate.hpp"
 #include "corticle/io/surface_reader.hpp"
@@ -20,8 +21,8 @@ namespace corticle
 namespace
 {
 
-constexpr double fewest_particles = 500;
-constexpr double most_particles = 100e6;
+/// Surface edges over the spacing: makes the cell of a surface particle about half of an inner one.
+constexpr double edge_per_spacing = 1.05;
 
 std::array<double, 3> semi_axes(const GeometryOptions& geometry)
 {
@@ -102,10 +103,10 @@ double input_volume(const Options& options)
 Resolution resolve_resolution(const Options& options, double volume_mm3)
 {
     const GeometryOptions& geometry = options.geometry;
-    const double count = geometry.spacing_mm ? volume_mm3 / std::pow(*geometry.spacing_mm, 3) : static_cast<double>(geometry.particles.value_or(45000));
+    const double count = geometry.spacing_mm ? volume_mm3 / std::pow(*geometry.spacing_mm, 3) : static_cast<double>(geometry.particles.value_or(default_particles));
     const double spacing = std::cbrt(volume_mm3 / count);
     const std::string asked = geometry.spacing_mm ? fmt::format("geometry.spacing_mm = {:g}", *geometry.spacing_mm)
-                                                  : fmt::format("geometry.particles = {}", geometry.particles.value_or(45000));
+                                                  : fmt::format("geometry.particles = {}", geometry.particles.value_or(default_particles));
     if (!(count >= fewest_particles && count <= most_particles))
     {
         throw InputError(fmt::format("{}: gives {:.0f} particles in {:.4g} mm³; expected {:.0f} to {:.0f} (spacing {:.4g} to {:.4g} mm)", asked, count,
@@ -138,8 +139,8 @@ Body prepare_body(const Options& options)
         volume = ellipsoid_volume(semi_axes(options.geometry));
     }
     const double spacing = resolve_resolution(options, volume).spacing_mm;
-    body.surface = options.geometry.shape == "file" ? remesh_isotropic(input, spacing, &body.report.remesh)
-                                                    : make_ellipsoid(semi_axes(options.geometry), spacing);
+    body.surface = options.geometry.shape == "file" ? remesh_isotropic(input, edge_per_spacing * spacing, &body.report.remesh)
+                                                    : make_ellipsoid(semi_axes(options.geometry), edge_per_spacing * spacing);
     body.cloud = fill_surface(body.surface, {spacing, static_cast<std::uint64_t>(options.geometry.seed)});
     const SurfaceTree tree(body.surface.vertices, body.surface.triangles);
     set_tissue(options, tree, body);

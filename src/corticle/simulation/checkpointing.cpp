@@ -22,7 +22,7 @@ const typename Map::mapped_type& entry(const Map& map, const std::string& name, 
     return found->second;
 }
 
-std::string column_name(const MeasureColumn& column) { return "measures/" + std::string(column.key); }
+std::string column_name(const MeasureColumn& column) { return "measures." + std::string(column.key); }
 
 } // namespace
 

@@ -43,6 +43,16 @@ std::shared_ptr<spdlog::logger> make_log(const fs::path& folder, bool quiet)
     return log;
 }
 
+void create_folder(const fs::path& folder)
+{
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error)
+    {
+        throw InputError(fmt::format("--out {}: cannot be made: {}; expected a folder that can be written", folder.string(), error.message()));
+    }
+}
+
 /// Wall time that earlier sessions of an interrupted run took, as its summary tells [s].
 double earlier_wall(const fs::path& folder)
 {
@@ -208,7 +218,7 @@ RunStatus simulate(const RunRequest& request)
     {
         remove_run(request.out);
     }
-    fs::create_directories(request.out);
+    create_folder(request.out);
     write_text_atomically(request.out / "case.toml", case_text);
     const auto log = make_log(request.out, request.quiet);
     log->info("corticle {}, {} threads", CORTICLE_VERSION, thread_count());
@@ -234,7 +244,7 @@ RunStatus simulate(const RunRequest& request)
     }
     catch (const std::exception& error)
     {
-        log->error(error.what());
+        log->info("failed: {}", error.what());
         try
         {
             recorder.summarize(simulation, "failed", error.what());

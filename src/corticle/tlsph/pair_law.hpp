@@ -68,7 +68,11 @@ CORTICLE_INLINE Vec3 sum_force(std::int64_t i, const NeighborRange& neighbors, c
 {
     const Lanes X_i = lanes(X[i]);
     const Lanes x_i = lanes(records[i].x);
-    Lanes force{};
+    // Four sums, not one: each waits only for its own last addition.
+    Lanes from_x{};
+    Lanes from_y{};
+    Lanes from_z{};
+    Lanes from_zeta{};
     for (std::int64_t k = 0; k < neighbors.count; ++k)
     {
         const std::int32_t j = neighbors.index[k];
@@ -76,11 +80,12 @@ CORTICLE_INLINE Vec3 sum_force(std::int64_t i, const NeighborRange& neighbors, c
         const double w = static_cast<double>(neighbors.weight[k]);
         const Lanes X_ij = w * (lanes(X[j]) - X_i);
         const Lanes x_j = lanes(record.x);
-        force += X_ij[0] * lanes(record.M.column[0]);
-        force += X_ij[1] * lanes(record.M.column[1]);
-        force += X_ij[2] * lanes(record.M.column[2]);
-        force += (w * x_j[3]) * (x_j - x_i);
+        from_x += X_ij[0] * lanes(record.M.column[0]);
+        from_y += X_ij[1] * lanes(record.M.column[1]);
+        from_z += X_ij[2] * lanes(record.M.column[2]);
+        from_zeta += (w * x_j[3]) * (x_j - x_i);
     }
+    const Lanes force = (from_x + from_y) + (from_z + from_zeta);
     return {force[0], force[1], force[2]};
 }
 
