@@ -4,6 +4,9 @@
 #include "corticle/base/error.hpp"
 
 #include <CLI/CLI.hpp>
+#include <unistd.h>
+
+#include <cstdlib>
 
 #include <cstdio>
 #include <functional>
@@ -156,10 +159,22 @@ int flushed(int status)
     return status;
 }
 
+/// Threads that wait for each other sleep after a short spin: on a machine that others use too, spinning made
+/// runs ten times slower. OpenMP reads its environment before main, so the command starts itself once more.
+void sleep_at_barriers(char** argv)
+{
+    if (std::getenv("OMP_WAIT_POLICY") == nullptr && std::getenv("GOMP_SPINCOUNT") == nullptr)
+    {
+        setenv("GOMP_SPINCOUNT", "20000", 0);
+        execv("/proc/self/exe", argv); // where it fails, the command just goes on
+    }
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 {
+    sleep_at_barriers(argv);
     try
     {
         return flushed(dispatch(argc, argv));

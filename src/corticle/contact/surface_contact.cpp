@@ -12,7 +12,7 @@ namespace corticle
 namespace
 {
 
-constexpr double skin_in_spacings = 0.3;
+constexpr double skin_in_spacings = 0.4;
 constexpr double travel_share = 0.4; ///< of the distance; both sides together use 0.8 of it
 
 Vec3 at(std::span<const Vec3> x, std::int32_t vertex) { return x[static_cast<std::size_t>(vertex)]; }

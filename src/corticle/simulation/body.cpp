@@ -107,11 +107,11 @@ Resolution resolve_resolution(const Options& options, double volume_mm3)
     const double spacing = std::cbrt(volume_mm3 / count);
     const std::string asked = geometry.spacing_mm ? fmt::format("geometry.spacing_mm = {:g}", *geometry.spacing_mm)
                                                   : fmt::format("geometry.particles = {}", geometry.particles.value_or(default_particles));
-    if (!(count >= fewest_particles && count <= most_particles))
+    if (!(count >= static_cast<double>(fewest_particles) && count <= static_cast<double>(most_particles)))
     {
-        throw InputError(fmt::format("{}: gives {:.0f} particles in {:.4g} mm³; expected {:.0f} to {:.0f} (spacing {:.4g} to {:.4g} mm)", asked, count,
-                                     volume_mm3, fewest_particles, most_particles, std::cbrt(volume_mm3 / most_particles),
-                                     std::cbrt(volume_mm3 / fewest_particles)));
+        throw InputError(fmt::format("{}: gives {:.0f} particles in {:.4g} mm³; expected {} to {} (spacing {:.4g} to {:.4g} mm)", asked, count,
+                                     volume_mm3, fewest_particles, most_particles, std::cbrt(volume_mm3 / static_cast<double>(most_particles)),
+                                     std::cbrt(volume_mm3 / static_cast<double>(fewest_particles))));
     }
     const double memory = estimated_memory(count, 4.0 / 3.0 * std::numbers::pi * std::pow(options.tlsph.support, 3));
     const double available = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));

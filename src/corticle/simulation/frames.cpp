@@ -18,6 +18,7 @@ namespace
 struct ParticleArrays
 {
     std::vector<double> J;
+    std::vector<double> F;            ///< deformation gradient, 9 a particle, by rows [-]
     std::vector<double> stress;       ///< Cauchy stress, 9 a particle, by rows [mu_w]
     std::vector<double> displacement; ///< 3 a particle [mm]
     std::vector<double> normal;       ///< 3 a particle
@@ -34,7 +35,8 @@ ParticleArrays particle_arrays(const Simulation& simulation, std::span<const Mat
     const Body& body = simulation.body();
     const Tissue& tissue = body.tissue;
     const std::size_t count = F.size();
-    ParticleArrays a{std::vector<double>(count), std::vector<double>(9 * count), std::vector<double>(3 * count), std::vector<double>(3 * count)};
+    ParticleArrays a{std::vector<double>(count), std::vector<double>(9 * count), std::vector<double>(9 * count),
+                     std::vector<double>(3 * count), std::vector<double>(3 * count)};
     parallel_for(static_cast<std::int64_t>(count),
                  [&](std::int64_t signed_i)
                  {
@@ -52,6 +54,7 @@ ParticleArrays particle_arrays(const Simulation& simulation, std::span<const Mat
                          a.normal[3 * i + r] = std::as_const(tissue.normal[i])[row];
                          for (int col = 0; col < 3; ++col)
                          {
+                             a.F[9 * i + 3 * r + static_cast<std::size_t>(col)] = F[i](row, col);
                              a.stress[9 * i + 3 * r + static_cast<std::size_t>(col)] = sigma(row, col);
                          }
                      }
@@ -100,6 +103,7 @@ void write_frame(const std::filesystem::path& folder, const Simulation& simulati
     const std::vector particle_fields{Field{"J", 1, a.J},
                                       Field{"theta", 1, frame.theta},
                                       Field{"growth", 1, frame.particle_growth},
+                                      Field{"F", 9, a.F},
                                       Field{"stress", 9, a.stress},
                                       Field{"displacement", 3, a.displacement},
                                       Field{"depth", 1, tissue.depth},

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/contact/candidates.hpp"
+
+#include "corticle/geometry/distance.hpp"
+#include "corticle/geometry/shapes.hpp"
+#include "tlsph/small_body.hpp"
+
+#include <gtest/gtest.h>
+
+namespace corticle
+{
+namespace
+{
+
+bool share(std::span<const std::int32_t> a, std::span<const std::int32_t> b)
+{
+    return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
+}
+
+TEST(Candidates, EqualThoseOfABruteForceSearchOnACrumpledSurface)
+{
+    const TriangleMesh mesh = make_ellipsoid({3, 2, 1}, 0.4);
+    const std::vector<Vec3> x = test::perturbed(mesh.vertices, 0.3);
+    const std::vector<Edge> edges = unique_edges(mesh.triangles);
+    const auto at = [&](std::int32_t k) { return x[static_cast<std::size_t>(k)]; };
+    for (const double range : {0.05, 0.3})
+    {
+        std::vector<std::pair<std::int32_t, std::int32_t>> vertex_triangle;
+        std::vector<std::pair<std::int32_t, std::int32_t>> edge_edge;
+        for (std::int32_t v = 0; v < std::ssize(x); ++v)
+        {
+            for (std::int32_t k = 0; k < std::ssize(mesh.triangles); ++k)
+            {
+                const Triangle& t = mesh.triangles[static_cast<std::size_t>(k)];
+                const auto w = closest_on_triangle(at(v), at(t[0]), at(t[1]), at(t[2]));
+                const Vec3 between = at(v) - w[0] * at(t[0]) - w[1] * at(t[1]) - w[2] * at(t[2]);
+                if (!share(std::array{v}, t) && norm(between) < range)
+                {
+                    vertex_triangle.push_back({v, k});
+                }
+            }
+        }
+        for (std::int32_t a = 0; a < std::ssize(edges); ++a)
+        {
+            for (std::int32_t b = a + 1; b < std::ssize(edges); ++b)
+            {
+                const Edge& e = edges[static_cast<std::size_t>(a)];
+                const Edge& o = edges[static_cast<std::size_t>(b)];
+                const auto [s, t] = closest_of_segments(at(e[0]), at(e[1]), at(o[0]), at(o[1]));
+                const Vec3 between = (1.0 - s) * at(e[0]) + s * at(e[1]) - (1.0 - t) * at(o[0]) - t * at(o[1]);
+                if (!share(e, o) && norm(between) < range)
+                {
+                    edge_edge.push_back({a, b});
+                }
+            }
+        }
+        ASSERT_GT(vertex_triangle.size(), 50u);
+        const Candidates found = find_candidates(x, mesh.triangles, edges, range);
+        std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
+        for (const VertexTriangle& pair : found.vertex_triangle)
+        {
+            pairs.push_back({pair.vertex, pair.triangle});
+        }
+        EXPECT_EQ(pairs, vertex_triangle);
+        pairs.clear();
+        for (const EdgeEdge& pair : found.edge_edge)
+        {
+            pairs.push_back({pair.first, pair.second});
+        }
+        EXPECT_EQ(pairs, edge_edge);
+    }
+}
+
+TEST(UniqueEdges, EachOnceInOrder)
+{
+    const std::vector<Triangle> tetrahedron{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+    EXPECT_EQ(unique_edges(tetrahedron), (std::vector<Edge>{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}));
+}
+
+} // namespace
+} // namespace corticle

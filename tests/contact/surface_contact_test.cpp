@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/contact/surface_contact.hpp"
+
+#include "contact/banks.hpp"
+#include "corticle/geometry/random.hpp"
+
+#include <gtest/gtest.h>
+
+// Spacing 1: surfaces repel below dhat = 0.3.
+
+namespace corticle
+{
+namespace
+{
+
+using test::Banks;
+
+constexpr double dt = 0.1;
+constexpr double stiffness = 0.1;
+
+SurfaceContact contact_of(const Banks& rest)
+{
+    return {rest.mesh.triangles, rest.mesh.vertices, rest.masses(), 1.0, {true, 0.3, stiffness}};
+}
+
+struct Evaluated
+{
+    ContactResponse response;
+    std::vector<Vec3> forces;
+    std::vector<double> limits;
+};
+
+Evaluated evaluate(SurfaceContact& contact, const std::vector<Vec3>& x, const std::vector<Vec3>& v = {})
+{
+    Evaluated result;
+    result.forces.resize(x.size());
+    result.response = contact.evaluate(x, v.empty() ? std::vector<Vec3>(x.size()) : v, dt, result.forces);
+    result.limits.assign(contact.travel_limit().begin(), contact.travel_limit().end());
+    return result;
+}
+
+Vec3 sum(std::span<const Vec3> forces)
+{
+    Vec3 total;
+    for (const Vec3& f : forces)
+    {
+        total += f;
+    }
+    return total;
+}
+
+TEST(SurfaceContact, BanksRepelBelowTheActivationDistanceOnly)
+{
+    const Banks far(2.0);
+    SurfaceContact contact = contact_of(far);
+    EXPECT_DOUBLE_EQ(contact.activation_distance(), 0.3);
+    for (const double gap : {0.31, 0.5, 1.5})
+    {
+        const Evaluated apart = evaluate(contact, Banks(gap).mesh.vertices);
+        EXPECT_EQ(apart.response.active, 0);
+        EXPECT_EQ(apart.response.energy, 0.0);
+        for (const Vec3& f : apart.forces)
+        {
+            EXPECT_EQ(f, Vec3{});
+        }
+    }
+    double weaker = 0.0;
+    for (const double gap : {0.29, 0.2, 0.1, 0.01})
+    {
+        const Evaluated near = evaluate(contact, Banks(gap).mesh.vertices);
+        const Vec3 lower = sum(std::span(near.forces).first(far.lower_count));
+        const Vec3 upper = sum(std::span(near.forces).subspan(far.lower_count));
+        EXPECT_GT(upper.z, weaker);
+        weaker = upper.z;
+        EXPECT_LT(norm(lower + upper), 1e-14 * norm(upper) * 100.0); // a hundred pairs
+        EXPECT_LT(std::hypot(upper.x, upper.y), 1e-12 * upper.z);    // along the normal of the banks
+        for (std::size_t k = 0; k < near.forces.size(); ++k)
+        {
+            EXPECT_GE((k < far.lower_count ? -1.0 : 1.0) * near.forces[k].z, -1e-14);
+        }
+    }
+}
+
+TEST(SurfaceContact, StiffnessFollowsTheEffectiveMassAndTheStep)
+{
+    // One vertex, tip of a triangle that leads away, 0.1 above the centroid of another.
+    const std::vector<Triangle> triangles{{0, 1, 2}, {3, 4, 5}};
+    std::vector<Vec3> x{{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {1, 1, 0.1}, {1, 0, 5}, {0, 1, 5}};
+    std::vector<Vec3> rest = x;
+    rest[3].z = 2.0;
+    const std::vector<double> masses{1.0, 2.0, 4.0, 0.5, 1.0, 1.0};
+    SurfaceContact contact(triangles, rest, masses, 1.0, {true, 0.3, stiffness});
+    std::vector<Vec3> v(6);
+    v[3] = {0.7, 0.0, -2.0};
+    const Evaluated still = evaluate(contact, x);
+    const Evaluated closing = evaluate(contact, x, v);
+    v[3].z = 2.0;
+    const Evaluated opening = evaluate(contact, x, v);
+    const double mass = 1.0 / (1.0 / 0.5 + (1.0 + 1.0 / 2.0 + 1.0 / 4.0) / 9.0);
+    const double k = stiffness * mass / (dt * dt);
+    const double c = 2.0 * std::sqrt(k * mass);
+    EXPECT_EQ(still.response.active, 1);
+    EXPECT_LT(norm(still.forces[3] - Vec3{0, 0, k * 0.2}), 1e-13);
+    EXPECT_LT(norm(still.forces[1] + Vec3{0, 0, k * 0.2 / 3.0}), 1e-13);
+    EXPECT_NEAR(still.response.energy, 0.5 * k * 0.04, 1e-14);
+    EXPECT_EQ(still.response.dissipated_power, 0.0);
+    EXPECT_LT(norm(closing.forces[3] - Vec3{0, 0, k * 0.2 + c * 2.0}), 1e-13);
+    EXPECT_NEAR(closing.response.dissipated_power, c * 4.0, 1e-13);
+    EXPECT_EQ(opening.forces, still.forces); // nothing holds banks that part
+    EXPECT_EQ(opening.response.dissipated_power, 0.0);
+    EXPECT_NEAR(still.limits[3], 0.04, 1e-15); // 0.4 of the distance
+    EXPECT_NEAR(still.limits[4], 0.12, 1e-15); // 0.4 of dhat: nothing is nearer
+}
+
+TEST(SurfaceContact, ForceIsMinusTheGradientOfTheEnergyAlongTheNormal)
+{
+    // Along the normal the closest points stay where they are on their faces, and with them the effective masses.
+    SurfaceContact contact = contact_of(Banks(2.0));
+    const Banks near(0.2);
+    const Evaluated at = evaluate(contact, near.mesh.vertices);
+    const double h = 1e-6;
+    const double slope = (evaluate(contact, Banks(0.2 + h).mesh.vertices).response.energy -
+                          evaluate(contact, Banks(0.2 - h).mesh.vertices).response.energy) /
+                         (2.0 * h);
+    const double push = sum(std::span(at.forces).subspan(near.lower_count)).z;
+    EXPECT_NEAR(slope / -push, 1.0, 1e-8); // a quadratic: round-off over h
+}
+
+TEST(SurfaceContact, ForceIsTheGradientForEachVertexUpToTheChangeOfTheEffectiveMass)
+{
+    // k follows the effective mass of the closest points, which the force leaves out: a share of depth over spacing.
+    SurfaceContact contact = contact_of(Banks(2.0));
+    const double depth = 1e-3;
+    std::vector<Vec3> x = Banks(0.3 - depth).mesh.vertices;
+    const std::vector<Vec3> forces = evaluate(contact, x).forces;
+    double largest = 0.0;
+    for (const Vec3& f : forces)
+    {
+        largest = std::max(largest, norm(f));
+    }
+    const double h = 1e-7;
+    for (std::size_t i = 0; i < x.size(); ++i)
+    {
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            const double start = x[i][axis];
+            x[i][axis] = start + h;
+            const double above = evaluate(contact, x).response.energy;
+            x[i][axis] = start - h;
+            const double below = evaluate(contact, x).response.energy;
+            x[i][axis] = start;
+            EXPECT_NEAR(forces[i][axis], -(above - below) / (2.0 * h), 10.0 * depth * largest) << i << " axis " << axis;
+        }
+    }
+}
+
+TEST(SurfaceContact, RestCloserThanTheActivationDistanceIsFreeOfForce)
+{
+    const Banks rest(0.1);
+    SurfaceContact contact = contact_of(rest);
+    EXPECT_EQ(evaluate(contact, rest.mesh.vertices).response.active, 0);
+    EXPECT_EQ(evaluate(contact, Banks(0.15).mesh.vertices).response.active, 0);
+    const Evaluated pressed = evaluate(contact, Banks(0.08).mesh.vertices);
+    EXPECT_GT(pressed.response.active, 0);
+    EXPECT_GT(sum(std::span(pressed.forces).subspan(rest.lower_count)).z, 0.0);
+}
+
+TEST(SurfaceContact, OnlyTheClosestTrianglePushes)
+{
+    // A tip at the origin, a plate 0.1 above it and another 0.244 beside it; the plates are 0.3 apart.
+    const std::vector<Triangle> triangles{{0, 1, 2}, {3, 4, 5}, {6, 7, 8}};
+    const std::vector<Vec3> x{{0, 0, 0},       {5, -0.5, -5},      {5, 0.5, -5},      {-0.02, -9, 0.1}, {9, 0, 0.1},
+                              {-0.02, 9, 0.1}, {-0.2, -9, -0.145}, {-0.2, 9, -0.145}, {-0.2, 0, -9}};
+    std::vector<Vec3> rest = x;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+        rest[3 + k].z += 3.0;
+        rest[6 + k].x -= 3.0;
+    }
+    SurfaceContact contact(triangles, rest, std::vector<double>(9, 1.0), 1.0, {true, 0.3, stiffness});
+    ASSERT_GT(find_candidates(x, triangles, unique_edges(triangles), 0.3).vertex_triangle.size(), 1u);
+    const Evaluated result = evaluate(contact, x);
+    EXPECT_EQ(result.response.active, 1);
+    EXPECT_LT(result.forces[0].z, 0.0);
+    EXPECT_NEAR(result.forces[0].x, 0.0, 1e-14);
+    EXPECT_NEAR(result.limits[0], 0.04, 1e-15);
+    EXPECT_LT(result.limits[6], 0.4 * 0.25); // the farther plate limits travel all the same
+}
+
+TEST(SurfaceContact, FoldedNeighboursRepel)
+{
+    // Two triangles on a common edge, hinged from flat to nearly shut.
+    const std::vector<Triangle> triangles{{0, 1, 2}, {1, 0, 3}};
+    const auto hinge = [](double angle) {
+        return std::vector<Vec3>{
+            {0, 0, 0}, {1, 0, 0}, {0.5, 0.8, 0}, {0.5, 0.8 * std::cos(angle), 0.8 * std::sin(angle)}};
+    };
+    SurfaceContact contact(triangles, hinge(3.1), std::vector<double>(4, 1.0), 1.0, {true, 0.3, stiffness});
+    EXPECT_EQ(evaluate(contact, hinge(0.5)).response.active, 0);
+    const Evaluated shut = evaluate(contact, hinge(0.2));
+    EXPECT_GT(shut.response.active, 0);
+    EXPECT_GT(shut.forces[3].z, 0.0);
+    EXPECT_LT(shut.forces[2].z, 0.0);
+    EXPECT_LT(norm(sum(shut.forces)), 1e-13 * norm(shut.forces[3]));
+}
+
+TEST(SurfaceContact, HistoryLeavesNoTrace)
+{
+    const Banks rest(2.0);
+    const auto crumpled = [&](double gap, std::uint64_t seed, double amplitude)
+    {
+        std::vector<Vec3> x = Banks(gap).mesh.vertices;
+        for (std::size_t k = 0; k < x.size(); ++k)
+        {
+            x[k] += amplitude *
+                    Vec3{hash_uniform(seed, 3 * k), hash_uniform(seed, 3 * k + 1), hash_uniform(seed, 3 * k + 2)};
+        }
+        return x;
+    };
+    const std::vector<Vec3> now = crumpled(0.2, 4, 0.1);
+    const std::vector<Vec3> v = crumpled(0.0, 9, 1.0);
+    SurfaceContact fresh = contact_of(rest);
+    const Evaluated expected = evaluate(fresh, now, v);
+    ASSERT_GT(expected.response.active, 5);
+    // Before: within the skin of now, just beyond it, and far off.
+    for (const double before : {0.21, 0.4, 1.2})
+    {
+        SurfaceContact used = contact_of(rest);
+        evaluate(used, crumpled(before, 4, 0.1), v);
+        evaluate(used, crumpled(before - 0.005, 4, 0.1), v);
+        const Evaluated again = evaluate(used, now, v);
+        EXPECT_EQ(again.forces, expected.forces);
+        EXPECT_EQ(again.limits, expected.limits);
+        EXPECT_EQ(again.response.energy, expected.response.energy);
+        EXPECT_EQ(again.response.dissipated_power, expected.response.dissipated_power);
+    }
+}
+
+} // namespace
+} // namespace corticle

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/dynamics/integrator.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace corticle
+{
+namespace
+{
+
+constexpr double no_limit = std::numeric_limits<double>::infinity();
+
+/// A mass on a spring, pulled out along (1, 2, 2) / 3 and let go.
+struct Oscillator
+{
+    double mass = 2.0;
+    double stiffness = 3.0;
+    double damping = 0.0;
+    Motion motion{{Vec3{1, 2, 2} / 3.0}, {Vec3{}}, {Vec3{}}};
+    double damped = 0.0;
+
+    double potential() const { return 0.5 * stiffness * squared_norm(motion.x[0]); }
+
+    StepEnergies step(double dt)
+    {
+        motion.force[0] = -stiffness * motion.x[0];
+        Motion next = motion;
+        const StepEnergies energies = advance(motion, std::vector{mass}, std::vector{no_limit}, dt, damping, next);
+        motion = next;
+        damped += energies.damped;
+        return energies;
+    }
+};
+
+/// Distance from the exact position of the damped oscillator after six units of time.
+double error_after(double dt)
+{
+    Oscillator oscillator;
+    oscillator.damping = 0.3;
+    const int steps = static_cast<int>(std::lround(6.0 / dt));
+    for (int k = 0; k < steps; ++k)
+    {
+        oscillator.step(dt);
+    }
+    // x'' = -w² x - gamma x', x(0) = 1, x'(0) = 0.
+    const double half = 0.5 * oscillator.damping;
+    const double w = std::sqrt(oscillator.stiffness / oscillator.mass - half * half);
+    const double exact = std::exp(-half * 6.0) * (std::cos(w * 6.0) + half / w * std::sin(w * 6.0));
+    return norm(oscillator.motion.x[0] - exact * (Vec3{1, 2, 2} / 3.0));
+}
+
+TEST(Advance, ConvergesToTheDampedOscillatorWithTheFirstPowerOfTheStep)
+{
+    const double coarse = error_after(0.01);
+    const double fine = error_after(0.005);
+    EXPECT_LT(coarse, 0.01);
+    EXPECT_NEAR(coarse / fine, 2.0, 0.1);
+}
+
+TEST(Advance, KeepsTheInvariantOfSymplecticEuler)
+{
+    Oscillator oscillator;
+    const double dt = 0.1;
+    // m v² / 2 + k x² / 2 - dt k x v / 2 is conserved exactly by v' = v - dt k x / m, x' = x + dt v'.
+    const auto invariant = [&]
+    {
+        const Motion& m = oscillator.motion;
+        return 0.5 * oscillator.mass * squared_norm(m.v[0]) + oscillator.potential() -
+               0.5 * dt * oscillator.stiffness * dot(m.x[0], m.v[0]);
+    };
+    const double at_start = invariant();
+    for (int k = 0; k < 10000; ++k)
+    {
+        oscillator.step(dt);
+    }
+    EXPECT_NEAR(invariant() / at_start, 1.0, 1e-12); // 10,000 round-offs
+}
+
+TEST(Advance, DampingDecaysExactlyWhateverTheStep)
+{
+    Motion motion{{Vec3{1, 2, 3}}, {Vec3{4, -5, 6}}, {Vec3{}}};
+    Motion next = motion;
+    double damped = 0.0;
+    for (const double dt : {0.1, 2.0, 0.4})
+    {
+        damped += advance(motion, std::vector{1.5}, std::vector{no_limit}, dt, 0.8, next).damped;
+        motion = next;
+    }
+    const Vec3 expected = std::exp(-0.8 * 2.5) * Vec3{4, -5, 6};
+    EXPECT_LT(norm(motion.v[0] - expected), 1e-14);
+    EXPECT_NEAR(damped, 0.5 * 1.5 * (77.0 - squared_norm(expected)), 1e-12);
+}
+
+TEST(Advance, StopsAtTheTravelLimitAndBooksTheEnergy)
+{
+    const Motion motion{
+        {Vec3{}, Vec3{}, Vec3{}}, {Vec3{3, 0, 4}, Vec3{3, 0, 4}, Vec3{3, 0, 4}}, {Vec3{}, Vec3{}, Vec3{}}};
+    Motion next = motion;
+    // Travel 0.5 in a step of 0.1: far above, exactly at and below its limit.
+    const StepEnergies energies =
+        advance(motion, std::vector{2.0, 2.0, 2.0}, std::vector{0.1, 0.500001, no_limit}, 0.1, 0.0, next);
+    EXPECT_EQ(energies.limited, 1);
+    EXPECT_NEAR(norm(next.x[0]), 0.1, 1e-15);
+    EXPECT_LT(norm(next.v[0] - 0.2 * Vec3{3, 0, 4}), 1e-14); // shortened, not turned
+    EXPECT_LT(norm(next.x[0] - 0.1 * next.v[0]), 1e-15);
+    EXPECT_EQ(next.v[1], motion.v[1]);
+    EXPECT_EQ(next.v[2], motion.v[2]);
+    EXPECT_NEAR(energies.stopped, 25.0 - 1.0, 1e-13); // m v² / 2 at 5 and at 1
+    EXPECT_NEAR(energies.kinetic, 25.0 + 25.0 + 1.0, 1e-13);
+    EXPECT_NEAR(energies.damped, 0.0, 1e-13);
+}
+
+TEST(Advance, EnergyBooksBalance)
+{
+    Oscillator oscillator;
+    oscillator.damping = 0.4;
+    const double at_start = oscillator.potential();
+    const double dt = 1e-3;
+    double kinetic = 0.0;
+    for (int k = 0; k < 3000; ++k)
+    {
+        kinetic = oscillator.step(dt).kinetic;
+    }
+    EXPECT_GT(oscillator.damped, 0.5 * at_start);
+    // The invariant differs from the energy by dt w / 2 of it, under 0.1 %.
+    EXPECT_NEAR((kinetic + oscillator.potential() + oscillator.damped) / at_start, 1.0, 2e-3);
+}
+
+TEST(CriticalStep, IsTheShareOfTheTimeAWaveTakesPerSpacing)
+{
+    EXPECT_DOUBLE_EQ(critical_step(0.25, 0.6, 3.0), 0.05);
+}
+
+} // namespace
+} // namespace corticle

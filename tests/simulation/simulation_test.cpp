@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/simulation/simulation.hpp"
+
+#include "corticle/base/error.hpp"
+#include "corticle/base/parallel.hpp"
+#include "corticle/simulation/checkpointing.hpp"
+#include "tlsph/small_body.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace corticle
+{
+namespace
+{
+
+/// Positions a little rough, so that no symmetry hides anything.
+State rough_start(const Body& body, double amplitude)
+{
+    State state;
+    state.motion.x = test::perturbed(body.cloud.positions, amplitude * body.cloud.spacing);
+    state.motion.v.resize(state.motion.x.size());
+    return state;
+}
+
+void take_steps(Simulation& simulation, int count)
+{
+    for (int k = 0; k < count; ++k)
+    {
+        simulation.step(1.0);
+    }
+}
+
+void expect_same_bits(const Simulation& a, const Simulation& b)
+{
+    EXPECT_EQ(a.state().motion.x, b.state().motion.x);
+    EXPECT_EQ(a.state().motion.v, b.state().motion.v);
+    EXPECT_EQ(a.state().motion.force, b.state().motion.force);
+    EXPECT_EQ(a.state().t, b.state().t);
+    EXPECT_EQ(a.state().steps, b.state().steps);
+    EXPECT_EQ(a.state().step_scale, b.state().step_scale);
+    EXPECT_EQ(a.state().kinetic_energy, b.state().kinetic_energy);
+    EXPECT_EQ(a.state().books.growth_work, b.state().books.growth_work);
+    EXPECT_EQ(a.state().books.dissipated, b.state().books.dissipated);
+    EXPECT_EQ(a.state().lowest_gi_sphere, b.state().lowest_gi_sphere);
+    EXPECT_EQ(a.step_size(), b.step_size());
+    EXPECT_EQ(a.internal().elastic_energy, b.internal().elastic_energy);
+    EXPECT_EQ(a.contact().active, b.contact().active);
+}
+
+TEST(Simulation, OneAndTwoThreadsGiveTheSameBits)
+{
+    const Options options = test::sphere_options(2500);
+    Body body = test::small_sphere();
+    const int threads = thread_count();
+    set_thread_count(1);
+    Simulation one(body, options);
+    one.restore(rough_start(body, 0.05));
+    take_steps(one, 50);
+    set_thread_count(2);
+    Simulation two(body, options);
+    two.restore(rough_start(body, 0.05));
+    take_steps(two, 50);
+    set_thread_count(threads);
+    expect_same_bits(one, two);
+}
+
+TEST(Simulation, GoesOnFromACheckpointToTheSameBits)
+{
+    Options options = test::sphere_options(2500);
+    options.tissue.thickness_rate_mm = 0.4; // theta follows t
+    options.contact.distance = 0.6;         // and contact is at work
+    Body body = test::small_sphere();
+    body.tissue.options = options.tissue;
+    body.tissue.theta_is_fixed = false;
+    Simulation whole(body, options);
+    whole.restore(rough_start(body, 0.2));
+    take_steps(whole, 25);
+    EXPECT_GT(whole.contact().active, 0);
+    std::vector<Measures> rows(2);
+    rows[1].area_mm2 = 17.25;
+    const Checkpoint checkpoint = to_checkpoint(whole.state(), rows, "case");
+    take_steps(whole, 25);
+
+    const Restored restored = from_checkpoint(checkpoint, body.cloud.positions.size(), "checkpoint.h5");
+    ASSERT_EQ(restored.rows.size(), 2u);
+    EXPECT_EQ(restored.rows[1].area_mm2, 17.25);
+    Body other_body = test::small_sphere();
+    other_body.tissue.options = options.tissue;
+    other_body.tissue.theta_is_fixed = false;
+    Simulation resumed(other_body, options);
+    resumed.restore(restored.state);
+    take_steps(resumed, 25);
+    expect_same_bits(whole, resumed);
+    EXPECT_EQ(whole.state().rejected_steps, resumed.state().rejected_steps);
+    EXPECT_EQ(whole.state().onset_t, resumed.state().onset_t);
+}
+
+TEST(Simulation, ACheckpointOfAnotherBodyIsRefused)
+{
+    State state;
+    state.motion.x.resize(10);
+    state.motion.v.resize(10);
+    EXPECT_THROW(from_checkpoint(to_checkpoint(state, {}, "case"), 11, "checkpoint.h5"), InputError);
+    EXPECT_THROW(from_checkpoint({}, 10, "checkpoint.h5"), InputError);
+}
+
+TEST(Simulation, TakesBackAStepThatInvertsAParticleAndGoesOn)
+{
+    Options options = test::sphere_options(2500);
+    options.contact.enabled = false;
+    options.dynamics.cfl = 5.0; // far beyond stability
+    options.dynamics.max_halvings = 30;
+    Body body = test::small_sphere();
+    Simulation simulation(body, options);
+    simulation.restore(rough_start(body, 0.1));
+    take_steps(simulation, 60);
+    EXPECT_GT(simulation.state().rejected_steps, 0);
+    EXPECT_EQ(simulation.state().steps, 60);
+    EXPECT_LE(simulation.state().step_scale, 1.0);
+    EXPECT_GT(simulation.internal().smallest_J, 0.0);
+    for (const Vec3& x : simulation.state().motion.x)
+    {
+        ASSERT_TRUE(is_finite(x));
+    }
+}
+
+TEST(Simulation, GivesUpWithADiagnosis)
+{
+    Options options = test::sphere_options(2500);
+    options.contact.enabled = false;
+    options.dynamics.cfl = 5.0;
+    options.dynamics.max_halvings = 0;
+    Body body = test::small_sphere();
+    Simulation simulation(body, options);
+    simulation.restore(rough_start(body, 0.1));
+    try
+    {
+        take_steps(simulation, 200);
+        FAIL() << "no step failed";
+    }
+    catch (const RunError& error)
+    {
+        using testing::HasSubstr;
+        EXPECT_THAT(error.what(), testing::AllOf(HasSubstr("particle "), HasSubstr("step "), HasSubstr("t = "),
+                                                 HasSubstr("J = "), HasSubstr("F = "), HasSubstr(" neighbours")));
+        EXPECT_THAT(error.what(), HasSubstr(std::to_string(simulation.state().steps + 1)));
+    }
+}
+
+TEST(Simulation, AnInvertedStartIsRefused)
+{
+    const Options options = test::sphere_options(2500);
+    Body body = test::small_sphere();
+    Simulation simulation(body, options);
+    State state = rough_start(body, 0.0);
+    state.motion.x = test::affine(state.motion.x, Mat3::diagonal(1, 1, -1));
+    EXPECT_THROW(simulation.restore(state), RunError);
+}
+
+TEST(Simulation, StopsAtTheTimeItIsToldTo)
+{
+    const Options options = test::sphere_options(2500);
+    Body body = test::small_sphere();
+    Simulation simulation(body, options);
+    const double t_stop = 2.5 * simulation.step_size();
+    int steps = 0;
+    for (; simulation.state().t < t_stop; ++steps)
+    {
+        simulation.step(t_stop);
+    }
+    EXPECT_EQ(simulation.state().t, t_stop);
+    EXPECT_EQ(steps, 3);
+}
+
+TEST(Simulation, LoadingTimeIsCountedInCrossingsOfTheBody)
+{
+    Options options = test::sphere_options(2500);
+    options.dynamics.loading_time = 40.0;
+    Body body = test::small_sphere();
+    const Simulation simulation(body, options);
+    // T = 40 R / c_p with c_p = sqrt(5 + 4/3) at density 1; R from the particles' volumes, which sum to the sphere's.
+    EXPECT_NEAR(simulation.total_time() / (40.0 * 12.496 / std::sqrt(5.0 + 4.0 / 3.0)), 1.0, 1e-9);
+}
+
+} // namespace
+} // namespace corticle
