@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <cmath>
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -42,9 +42,13 @@ class BoxGrid
         inverse_cell_ = 1.0 / std::max(cell_size, coarsest);
         for (int axis = 0; axis < 3; ++axis)
         {
-            size_[static_cast<std::size_t>(axis)] = static_cast<std::int32_t>(std::as_const(extent)[axis] * inverse_cell_) + 1;
+            size_[static_cast<std::size_t>(axis)] =
+                static_cast<std::int32_t>(std::as_const(extent)[axis] * inverse_cell_) + 1;
         }
-        begin_.assign(static_cast<std::size_t>(size_[0]) * static_cast<std::size_t>(size_[1]) * static_cast<std::size_t>(size_[2]) + 1, 0);
+        begin_.assign(static_cast<std::size_t>(size_[0]) * static_cast<std::size_t>(size_[1]) *
+                              static_cast<std::size_t>(size_[2]) +
+                          1,
+                      0);
         for (const Box& box : boxes)
         {
             for_cells(cell_of(box.low), cell_of(box.high), [&](std::size_t cell) { ++begin_[cell + 1]; });
@@ -58,21 +62,28 @@ class BoxGrid
         for (std::size_t k = 0; k < boxes.size(); ++k)
         {
             for_cells(cell_of(boxes[k].low), cell_of(boxes[k].high),
-                      [&](std::size_t cell) { item_[static_cast<std::size_t>(fill[cell]++)] = static_cast<std::int32_t>(k); });
+                      [&](std::size_t cell)
+                      { item_[static_cast<std::size_t>(fill[cell]++)] = static_cast<std::int32_t>(k); });
         }
     }
 
-    /// Calls found(k) for every box k that overlaps the query, once each, in an order that depends on the boxes alone.
+    /// Calls found(k) for every box k > above that overlaps the query, once each, in an order that depends on the
+    /// boxes alone.
     template <class Found>
-    void query(const Box& box, Found&& found) const
+    void query(const Box& box, std::int32_t above, Found&& found) const
     {
         const Cell low = cell_of(box.low);
         for_cells(low, cell_of(box.high),
                   [&](std::size_t cell)
                   {
-                      for (std::int32_t m = begin_[cell]; m < begin_[cell + 1]; ++m)
+                      // Items ascend within a cell: from the back, the first that is too low ends the search.
+                      for (std::int32_t m = begin_[cell + 1] - 1; m >= begin_[cell]; --m)
                       {
                           const std::int32_t k = item_[static_cast<std::size_t>(m)];
+                          if (k <= above)
+                          {
+                              break;
+                          }
                           const Box& other = boxes_[static_cast<std::size_t>(k)];
                           if (overlap(box, other) && first_common_cell(low, cell_of(other.low)) == cell)
                           {
@@ -87,8 +98,8 @@ class BoxGrid
 
     static bool overlap(const Box& a, const Box& b)
     {
-        return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y && a.low.z <= b.high.z &&
-               b.low.z <= a.high.z;
+        return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
+               a.low.z <= b.high.z && b.low.z <= a.high.z;
     }
     Cell cell_of(const Vec3& p) const
     {
@@ -97,13 +108,16 @@ class BoxGrid
         {
             const double at = (p[axis] - origin_[axis]) * inverse_cell_;
             const std::int32_t last = size_[static_cast<std::size_t>(axis)] - 1;
-            cell[static_cast<std::size_t>(axis)] = at > 0.0 ? static_cast<std::int32_t>(std::min(at, static_cast<double>(last))) : 0;
+            cell[static_cast<std::size_t>(axis)] =
+                at > 0.0 ? static_cast<std::int32_t>(std::min(at, static_cast<double>(last))) : 0;
         }
         return cell;
     }
     std::size_t flat(std::int32_t x, std::int32_t y, std::int32_t z) const
     {
-        return static_cast<std::size_t>(x) + static_cast<std::size_t>(size_[0]) * (static_cast<std::size_t>(y) + static_cast<std::size_t>(size_[1]) * static_cast<std::size_t>(z));
+        return static_cast<std::size_t>(x) +
+               static_cast<std::size_t>(size_[0]) *
+                   (static_cast<std::size_t>(y) + static_cast<std::size_t>(size_[1]) * static_cast<std::size_t>(z));
     }
     std::size_t first_common_cell(const Cell& a, const Cell& b) const
     {

@@ -11,7 +11,10 @@ namespace corticle
 namespace
 {
 
-Vec3 at(std::span<const Vec3> x, std::int32_t vertex) { return x[static_cast<std::size_t>(vertex)]; }
+Vec3 at(std::span<const Vec3> x, std::int32_t vertex)
+{
+    return x[static_cast<std::size_t>(vertex)];
+}
 
 template <class Corners>
 Box bounding_box(std::span<const Vec3> x, const Corners& corners, double margin)
@@ -51,7 +54,8 @@ std::vector<Pair> collect(std::int64_t count, Search&& search)
         [](std::vector<Pair>& all, const std::vector<Pair>& part) { all.insert(all.end(), part.begin(), part.end()); });
 }
 
-std::vector<VertexTriangle> close_vertex_triangles(std::span<const Vec3> x, std::span<const Triangle> triangles, double range, double cell)
+std::vector<VertexTriangle> close_vertex_triangles(std::span<const Vec3> x, std::span<const Triangle> triangles,
+                                                   double range, double cell)
 {
     const std::vector<Box> boxes = bounding_boxes(x, triangles, range);
     const BoxGrid grid(boxes, cell);
@@ -64,7 +68,7 @@ std::vector<VertexTriangle> close_vertex_triangles(std::span<const Vec3> x, std:
                 const auto vertex = static_cast<std::int32_t>(v);
                 const std::size_t first = found.size();
                 const Vec3 p = at(x, vertex);
-                grid.query({p, p},
+                grid.query({p, p}, -1,
                            [&](std::int32_t triangle)
                            {
                                const Triangle& corner = triangles[static_cast<std::size_t>(triangle)];
@@ -91,37 +95,37 @@ std::vector<EdgeEdge> close_edge_edges(std::span<const Vec3> x, std::span<const 
 {
     const std::vector<Box> boxes = bounding_boxes(x, edges, 0.5 * range);
     const BoxGrid grid(boxes, cell);
-    return collect<EdgeEdge>(
-        std::ssize(edges),
-        [&](std::int64_t begin, std::int64_t end, std::vector<EdgeEdge>& found)
-        {
-            for (std::int64_t k = begin; k < end; ++k)
-            {
-                const auto first = static_cast<std::int32_t>(k);
-                const Edge e = edges[static_cast<std::size_t>(k)];
-                const std::size_t begin_of_edge = found.size();
-                grid.query(boxes[static_cast<std::size_t>(k)],
-                           [&](std::int32_t second)
-                           {
-                               const Edge o = edges[static_cast<std::size_t>(second)];
-                               if (second <= first || e[0] == o[0] || e[0] == o[1] || e[1] == o[0] || e[1] == o[1])
-                               {
-                                   return;
-                               }
-                               const Vec3 a = at(x, e[0]);
-                               const Vec3 b = at(x, e[1]);
-                               const Vec3 c = at(x, o[0]);
-                               const Vec3 d = at(x, o[1]);
-                               const auto [s, t] = closest_of_segments(a, b, c, d);
-                               if (squared_norm(a + s * (b - a) - c - t * (d - c)) < range * range)
-                               {
-                                   found.push_back({first, second});
-                               }
-                           });
-                std::sort(found.begin() + static_cast<std::ptrdiff_t>(begin_of_edge), found.end(),
-                          [](const EdgeEdge& a, const EdgeEdge& b) { return a.second < b.second; });
-            }
-        });
+    return collect<EdgeEdge>(std::ssize(edges),
+                             [&](std::int64_t begin, std::int64_t end, std::vector<EdgeEdge>& found)
+                             {
+                                 for (std::int64_t k = begin; k < end; ++k)
+                                 {
+                                     const auto first = static_cast<std::int32_t>(k);
+                                     const Edge e = edges[static_cast<std::size_t>(k)];
+                                     const std::size_t begin_of_edge = found.size();
+                                     grid.query(boxes[static_cast<std::size_t>(k)], first,
+                                                [&](std::int32_t second)
+                                                {
+                                                    const Edge o = edges[static_cast<std::size_t>(second)];
+                                                    if (e[0] == o[0] || e[0] == o[1] || e[1] == o[0] || e[1] == o[1])
+                                                    {
+                                                        return;
+                                                    }
+                                                    const Vec3 a = at(x, e[0]);
+                                                    const Vec3 b = at(x, e[1]);
+                                                    const Vec3 c = at(x, o[0]);
+                                                    const Vec3 d = at(x, o[1]);
+                                                    const auto [s, t] = closest_of_segments(a, b, c, d);
+                                                    if (squared_norm(a + s * (b - a) - c - t * (d - c)) < range * range)
+                                                    {
+                                                        found.push_back({first, second});
+                                                    }
+                                                });
+                                     std::sort(found.begin() + static_cast<std::ptrdiff_t>(begin_of_edge), found.end(),
+                                               [](const EdgeEdge& a, const EdgeEdge& b)
+                                               { return a.second < b.second; });
+                                 }
+                             });
 }
 
 } // namespace
@@ -144,9 +148,11 @@ std::vector<Edge> unique_edges(std::span<const Triangle> triangles)
     return edges;
 }
 
-Candidates find_candidates(std::span<const Vec3> x, std::span<const Triangle> triangles, std::span<const Edge> edges, double range)
+Candidates find_candidates(std::span<const Vec3> x, std::span<const Triangle> triangles, std::span<const Edge> edges,
+                           double range)
 {
-    const double lengths = parallel_sum(std::ssize(edges), [&](std::int64_t k)
+    const double lengths = parallel_sum(std::ssize(edges),
+                                        [&](std::int64_t k)
                                         {
                                             const Edge& e = edges[static_cast<std::size_t>(k)];
                                             return norm(at(x, e[0]) - at(x, e[1]));

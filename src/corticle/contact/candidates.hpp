@@ -39,6 +39,7 @@ struct Candidates
 };
 
 /// Finds the pairs closer than `range` [mm]. The result depends on the positions alone.
-Candidates find_candidates(std::span<const Vec3> x, std::span<const Triangle> triangles, std::span<const Edge> edges, double range);
+Candidates find_candidates(std::span<const Vec3> x, std::span<const Triangle> triangles, std::span<const Edge> edges,
+                           double range);
 
 } // namespace corticle

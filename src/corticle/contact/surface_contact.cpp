@@ -15,15 +15,19 @@ namespace
 constexpr double skin_in_spacings = 0.4;
 constexpr double travel_share = 0.4; ///< of the distance; both sides together use 0.8 of it
 
-Vec3 at(std::span<const Vec3> x, std::int32_t vertex) { return x[static_cast<std::size_t>(vertex)]; }
+Vec3 at(std::span<const Vec3> x, std::int32_t vertex)
+{
+    return x[static_cast<std::size_t>(vertex)];
+}
 
 } // namespace
 
-SurfaceContact::SurfaceContact(std::vector<Triangle> triangles, std::span<const Vec3> rest, std::vector<double> masses, double spacing,
-                               const ContactOptions& options)
-    : triangles_(std::move(triangles)), edges_(unique_edges(triangles_)), masses_(std::move(masses)), dhat_(options.distance * spacing),
-      skin_(skin_in_spacings * spacing), stiffness_(options.stiffness), vertex_gap_(rest.size(), dhat_), edge_gap_(edges_.size(), dhat_),
-      closest_pair_(edges_.size(), -1), travel_limit_(rest.size())
+SurfaceContact::SurfaceContact(std::vector<Triangle> triangles, std::span<const Vec3> rest, std::vector<double> masses,
+                               double spacing, const ContactOptions& options)
+    : triangles_(std::move(triangles)), edges_(unique_edges(triangles_)), masses_(std::move(masses)),
+      dhat_(options.distance * spacing), skin_(skin_in_spacings * spacing), stiffness_(options.stiffness),
+      vertex_gap_(rest.size(), dhat_), edge_gap_(edges_.size(), dhat_), closest_pair_(edges_.size(), -1),
+      travel_limit_(rest.size())
 {
     refresh_candidates(rest);
     for (const VertexTriangle& pair : candidates_.vertex_triangle)
@@ -59,7 +63,8 @@ SurfaceContact::Push SurfaceContact::measure(const VertexTriangle& pair, std::sp
 {
     const auto vertex = vertices_of(pair);
     const auto b = closest_on_triangle(at(x, vertex[0]), at(x, vertex[1]), at(x, vertex[2]), at(x, vertex[3]));
-    const Vec3 between = at(x, vertex[0]) - (b[0] * at(x, vertex[1]) + b[1] * at(x, vertex[2]) + b[2] * at(x, vertex[3]));
+    const Vec3 between =
+        at(x, vertex[0]) - (b[0] * at(x, vertex[1]) + b[1] * at(x, vertex[2]) + b[2] * at(x, vertex[3]));
     return {norm(between), normalized(between), {1.0, -b[0], -b[1], -b[2]}};
 }
 
@@ -67,7 +72,8 @@ SurfaceContact::Push SurfaceContact::measure(const EdgeEdge& pair, std::span<con
 {
     const auto vertex = vertices_of(pair);
     const auto [s, t] = closest_of_segments(at(x, vertex[0]), at(x, vertex[1]), at(x, vertex[2]), at(x, vertex[3]));
-    const Vec3 between = (1.0 - s) * at(x, vertex[0]) + s * at(x, vertex[1]) - (1.0 - t) * at(x, vertex[2]) - t * at(x, vertex[3]);
+    const Vec3 between =
+        (1.0 - s) * at(x, vertex[0]) + s * at(x, vertex[1]) - (1.0 - t) * at(x, vertex[2]) - t * at(x, vertex[3]);
     return {norm(between), normalized(between), {1.0 - s, s, t - 1.0, -t}};
 }
 
@@ -75,7 +81,8 @@ template <class Pair>
 void SurfaceContact::measure_all(std::span<const Pair> pairs, std::span<const Vec3> x, std::vector<Push>& pushes) const
 {
     pushes.resize(pairs.size());
-    parallel_for(std::ssize(pairs), [&](std::int64_t k) { pushes[static_cast<std::size_t>(k)] = measure(pairs[static_cast<std::size_t>(k)], x); });
+    parallel_for(std::ssize(pairs), [&](std::int64_t k)
+                 { pushes[static_cast<std::size_t>(k)] = measure(pairs[static_cast<std::size_t>(k)], x); });
 }
 
 void SurfaceContact::refresh_candidates(std::span<const Vec3> x)
@@ -112,8 +119,8 @@ void SurfaceContact::limit_travel(const std::array<std::int32_t, 4>& vertex, dou
     }
 }
 
-void SurfaceContact::apply(const std::array<std::int32_t, 4>& vertex, const Push& push, double gap, std::span<const Vec3> v, double dt,
-                           std::span<Vec3> forces, ContactResponse& response) const
+void SurfaceContact::apply(const std::array<std::int32_t, 4>& vertex, const Push& push, double gap,
+                           std::span<const Vec3> v, double dt, std::span<Vec3> forces, ContactResponse& response) const
 {
     double inverse_mass = 0.0;
     Vec3 approach;
@@ -137,7 +144,8 @@ void SurfaceContact::apply(const std::array<std::int32_t, 4>& vertex, const Push
     ++response.active;
 }
 
-void SurfaceContact::push_vertices(std::span<const Vec3> v, double dt, std::span<Vec3> forces, ContactResponse& response)
+void SurfaceContact::push_vertices(std::span<const Vec3> v, double dt, std::span<Vec3> forces,
+                                   ContactResponse& response)
 {
     const auto& pairs = candidates_.vertex_triangle;
     for (std::size_t first = 0; first < pairs.size();)
@@ -185,10 +193,12 @@ void SurfaceContact::push_edges(std::span<const Vec3> v, double dt, std::span<Ve
     {
         const auto index = static_cast<std::int32_t>(k);
         const Push& push = edge_push_[k];
-        const double gap = std::min(edge_gap_[static_cast<std::size_t>(pairs[k].first)], edge_gap_[static_cast<std::size_t>(pairs[k].second)]);
+        const double gap = std::min(edge_gap_[static_cast<std::size_t>(pairs[k].first)],
+                                    edge_gap_[static_cast<std::size_t>(pairs[k].second)]);
         const bool mutual = closest_pair_[static_cast<std::size_t>(pairs[k].first)] == index &&
                             closest_pair_[static_cast<std::size_t>(pairs[k].second)] == index;
-        const bool inside = push.weight[0] > 0.0 && push.weight[1] > 0.0 && push.weight[2] < 0.0 && push.weight[3] < 0.0;
+        const bool inside =
+            push.weight[0] > 0.0 && push.weight[1] > 0.0 && push.weight[2] < 0.0 && push.weight[3] < 0.0;
         if (mutual && inside && push.distance < gap)
         {
             apply(vertices_of(pairs[k]), push, gap, v, dt, forces, response);
@@ -201,7 +211,8 @@ void SurfaceContact::push_edges(std::span<const Vec3> v, double dt, std::span<Ve
     }
 }
 
-ContactResponse SurfaceContact::evaluate(std::span<const Vec3> x, std::span<const Vec3> v, double dt, std::span<Vec3> forces)
+ContactResponse SurfaceContact::evaluate(std::span<const Vec3> x, std::span<const Vec3> v, double dt,
+                                         std::span<Vec3> forces)
 {
     refresh_candidates(x);
     std::fill(travel_limit_.begin(), travel_limit_.end(), travel_share * dhat_);

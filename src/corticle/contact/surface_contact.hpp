@@ -29,10 +29,11 @@ class SurfaceContact
     /// @param rest     reference positions of the surface vertices [mm]
     /// @param masses   of the vertices
     /// @param spacing  particle spacing [mm]
-    SurfaceContact(std::vector<Triangle> triangles, std::span<const Vec3> rest, std::vector<double> masses, double spacing,
-                   const ContactOptions& options);
+    SurfaceContact(std::vector<Triangle> triangles, std::span<const Vec3> rest, std::vector<double> masses,
+                   double spacing, const ContactOptions& options);
 
-    /// Adds the contact forces at positions x with velocities v to `forces` (all per surface vertex) and sets the travel limits.
+    /// Adds the contact forces at positions x with velocities v to `forces` (all per surface vertex) and sets the
+    /// travel limits.
     /// @param dt  the step the stiffness is scaled to
     ContactResponse evaluate(std::span<const Vec3> x, std::span<const Vec3> v, double dt, std::span<Vec3> forces);
 
@@ -55,8 +56,8 @@ class SurfaceContact
     Push measure(const EdgeEdge& pair, std::span<const Vec3> x) const;
     template <class Pair>
     void measure_all(std::span<const Pair> pairs, std::span<const Vec3> x, std::vector<Push>& pushes) const;
-    void apply(const std::array<std::int32_t, 4>& vertex, const Push& push, double gap, std::span<const Vec3> v, double dt,
-               std::span<Vec3> forces, ContactResponse& response) const;
+    void apply(const std::array<std::int32_t, 4>& vertex, const Push& push, double gap, std::span<const Vec3> v,
+               double dt, std::span<Vec3> forces, ContactResponse& response) const;
     void limit_travel(const std::array<std::int32_t, 4>& vertex, double distance);
     void refresh_candidates(std::span<const Vec3> x);
     void push_vertices(std::span<const Vec3> v, double dt, std::span<Vec3> forces, ContactResponse& response);

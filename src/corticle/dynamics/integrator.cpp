@@ -6,8 +6,8 @@
 namespace corticle
 {
 
-StepEnergies advance(const Motion& from, std::span<const double> mass, std::span<const double> travel_limit, double dt, double damping,
-                     Motion& to)
+StepEnergies advance(const Motion& from, std::span<const double> mass, std::span<const double> travel_limit, double dt,
+                     double damping, Motion& to)
 {
     const double decay = std::exp(-damping * dt);
     const auto count = static_cast<std::int64_t>(mass.size());

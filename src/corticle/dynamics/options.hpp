@@ -8,10 +8,10 @@ namespace corticle
 
 struct DynamicsOptions
 {
-    double cfl = 0.6;               ///< safety factor of the step
-    double loading_time = 50.0;      ///< c_p T / R: time given to t = 0..1, in crossings of the body by a pressure wave
-    double damping = 50.0;           ///< gamma T
-    std::int64_t max_halvings = 8;   ///< consecutive halvings of the step before a run gives up
+    double cfl = 0.6;              ///< safety factor of the step
+    double loading_time = 50.0;    ///< c_p T / R: time given to t = 0..1, in crossings of the body by a pressure wave
+    double damping = 50.0;         ///< gamma T
+    std::int64_t max_halvings = 8; ///< consecutive halvings of the step before a run gives up
 };
 
 } // namespace corticle

@@ -2,9 +2,8 @@
 #include "corticle/metrics/surface_measures.hpp"
 
 #include "corticle/base/parallel.hpp"
-#include "corticle/geometry/distance.hpp"
 #include "corticle/geometry/hull.hpp"
-#include "corticle/geometry/surface_tree.hpp"
+#include "corticle/geometry/triangle_tests.hpp"
 
 #include <limits>
 #include <numbers>
@@ -17,24 +16,21 @@ namespace
 
 bool share_a_vertex(const Triangle& a, const Triangle& b)
 {
-    return std::any_of(a.begin(), a.end(), [&](std::int32_t corner) { return std::find(b.begin(), b.end(), corner) != b.end(); });
+    return std::any_of(a.begin(), a.end(),
+                       [&](std::int32_t corner) { return std::find(b.begin(), b.end(), corner) != b.end(); });
 }
 
 /// Distance from a point on a triangle to the nearest triangle that shares no vertex with it [mm].
 double distance_to_others(const Vec3& point, const Triangle& own, const TriangleMesh& mesh)
 {
     double smallest = std::numeric_limits<double>::infinity();
-    for (const Triangle& other : mesh.triangles)
+    for (std::size_t k = 0; k < mesh.triangles.size(); ++k)
     {
-        const Vec3 a = mesh.vertices[static_cast<std::size_t>(other[0])];
-        if (share_a_vertex(own, other))
+        if (!share_a_vertex(own, mesh.triangles[k]))
         {
-            continue;
+            const auto triangle = static_cast<std::int32_t>(k);
+            smallest = std::min(smallest, closest_point_of_triangle(mesh, triangle, point).squared_distance);
         }
-        const Vec3 b = mesh.vertices[static_cast<std::size_t>(other[1])];
-        const Vec3 c = mesh.vertices[static_cast<std::size_t>(other[2])];
-        const auto w = closest_on_triangle(point, a, b, c);
-        smallest = std::min(smallest, squared_norm(point - (w[0] * a + w[1] * b + w[2] * c)));
     }
     return std::sqrt(smallest);
 }

@@ -25,11 +25,13 @@ double sphere_index(double area, double volume);
 /// How much of a surface lies inside another part of the body.
 struct Overlap
 {
-    double area_share = 0.0;         ///< share of the area whose outer side is covered: just off it, the winding number is not 0
+    double area_share =
+        0.0; ///< share of the area whose outer side is covered: just off it, the winding number is not 0
     double deepest_penetration = 0.0; ///< largest distance from a covered triangle to the surface it pierced [mm]
 };
 
-/// @param probe_distance  how far off a face the winding number is taken [mm]; small against the distance of banks that touch
+/// @param probe_distance  how far off a face the winding number is taken [mm]; small against the distance of banks that
+/// touch
 Overlap measure_overlap(std::span<const Vec3> vertices, std::span<const Triangle> triangles, double probe_distance);
 
 } // namespace corticle

@@ -26,7 +26,8 @@ constexpr double edge_per_spacing = 1.05;
 
 std::array<double, 3> semi_axes(const GeometryOptions& geometry)
 {
-    return geometry.shape == "sphere" ? std::array{geometry.radius_mm, geometry.radius_mm, geometry.radius_mm} : geometry.semi_axes_mm;
+    return geometry.shape == "sphere" ? std::array{geometry.radius_mm, geometry.radius_mm, geometry.radius_mm}
+                                      : geometry.semi_axes_mm;
 }
 
 TriangleMesh read_input_surface(const GeometryOptions& geometry)
@@ -36,7 +37,10 @@ TriangleMesh read_input_surface(const GeometryOptions& geometry)
     return surface;
 }
 
-double ellipsoid_volume(const std::array<double, 3>& axes) { return 4.0 / 3.0 * std::numbers::pi * axes[0] * axes[1] * axes[2]; }
+double ellipsoid_volume(const std::array<double, 3>& axes)
+{
+    return 4.0 / 3.0 * std::numbers::pi * axes[0] * axes[1] * axes[2];
+}
 
 /// Depth and normal of every particle from the closest point of the surface; exact on the surface itself.
 void set_tissue(const Options& options, const SurfaceTree& tree, Body& body)
@@ -103,22 +107,26 @@ double input_volume(const Options& options)
 Resolution resolve_resolution(const Options& options, double volume_mm3)
 {
     const GeometryOptions& geometry = options.geometry;
-    const double count = geometry.spacing_mm ? volume_mm3 / std::pow(*geometry.spacing_mm, 3) : static_cast<double>(geometry.particles.value_or(default_particles));
+    const double count = geometry.spacing_mm ? volume_mm3 / std::pow(*geometry.spacing_mm, 3)
+                                             : static_cast<double>(geometry.particles.value_or(default_particles));
     const double spacing = std::cbrt(volume_mm3 / count);
-    const std::string asked = geometry.spacing_mm ? fmt::format("geometry.spacing_mm = {:g}", *geometry.spacing_mm)
-                                                  : fmt::format("geometry.particles = {}", geometry.particles.value_or(default_particles));
+    const std::string asked =
+        geometry.spacing_mm ? fmt::format("geometry.spacing_mm = {:g}", *geometry.spacing_mm)
+                            : fmt::format("geometry.particles = {}", geometry.particles.value_or(default_particles));
     if (!(count >= static_cast<double>(fewest_particles) && count <= static_cast<double>(most_particles)))
     {
-        throw InputError(fmt::format("{}: gives {:.0f} particles in {:.4g} mm³; expected {} to {} (spacing {:.4g} to {:.4g} mm)", asked, count,
-                                     volume_mm3, fewest_particles, most_particles, std::cbrt(volume_mm3 / static_cast<double>(most_particles)),
-                                     std::cbrt(volume_mm3 / static_cast<double>(fewest_particles))));
+        throw InputError(fmt::format(
+            "{}: gives {:.0f} particles in {:.4g} mm³; expected {} to {} (spacing {:.4g} to {:.4g} mm)", asked, count,
+            volume_mm3, fewest_particles, most_particles, std::cbrt(volume_mm3 / static_cast<double>(most_particles)),
+            std::cbrt(volume_mm3 / static_cast<double>(fewest_particles))));
     }
     const double memory = estimated_memory(count, 4.0 / 3.0 * std::numbers::pi * std::pow(options.tlsph.support, 3));
     const double available = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
     if (memory > available)
     {
-        throw InputError(fmt::format("{}: gives {:.3g} particles, which need {:.1f} GiB; expected at most the {:.1f} GiB of this machine", asked, count,
-                                     memory / 0x1p30, available / 0x1p30));
+        throw InputError(fmt::format(
+            "{}: gives {:.3g} particles, which need {:.1f} GiB; expected at most the {:.1f} GiB of this machine", asked,
+            count, memory / 0x1p30, available / 0x1p30));
     }
     return {spacing, std::llround(count)};
 }
@@ -139,21 +147,25 @@ Body prepare_body(const Options& options)
         volume = ellipsoid_volume(semi_axes(options.geometry));
     }
     const double spacing = resolve_resolution(options, volume).spacing_mm;
-    body.surface = options.geometry.shape == "file" ? remesh_isotropic(input, edge_per_spacing * spacing, &body.report.remesh)
-                                                    : make_ellipsoid(semi_axes(options.geometry), edge_per_spacing * spacing);
+    body.surface = options.geometry.shape == "file"
+                       ? remesh_isotropic(input, edge_per_spacing * spacing, &body.report.remesh)
+                       : make_ellipsoid(semi_axes(options.geometry), edge_per_spacing * spacing);
     body.cloud = fill_surface(body.surface, {spacing, static_cast<std::uint64_t>(options.geometry.seed)});
     const SurfaceTree tree(body.surface.vertices, body.surface.triangles);
     set_tissue(options, tree, body);
 
-    Neighbors pairs = find_neighbors(body.cloud, tree, options.tlsph.support * body.cloud.spacing, &body.report.visibility);
-    body.report.neighbors_mean = static_cast<double>(pairs.index.size()) / static_cast<double>(body.cloud.positions.size());
+    Neighbors pairs =
+        find_neighbors(body.cloud, tree, options.tlsph.support * body.cloud.spacing, &body.report.visibility);
+    body.report.neighbors_mean =
+        static_cast<double>(pairs.index.size()) / static_cast<double>(body.cloud.positions.size());
     body.particles = make_particles(body.cloud, std::move(pairs), options.tlsph);
     const double thickness = cortex_thickness(options);
     if (thickness < 2.0 * body.cloud.spacing)
     {
-        body.report.warnings.push_back(fmt::format("the cortex of {:.4g} mm is thinner than two spacings of {:.4g} mm and will fold at the wrong "
-                                                   "wavelength; geometry.spacing_mm of at most {:.4g} is needed",
-                                                   thickness, body.cloud.spacing, thickness / 2.0));
+        body.report.warnings.push_back(
+            fmt::format("the cortex of {:.4g} mm is thinner than two spacings of {:.4g} mm and will fold at the wrong "
+                        "wavelength; geometry.spacing_mm of at most {:.4g} is needed",
+                        thickness, body.cloud.spacing, thickness / 2.0));
     }
     return body;
 }

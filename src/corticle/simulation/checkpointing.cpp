@@ -12,17 +12,22 @@ namespace
 {
 
 template <class Map>
-const typename Map::mapped_type& entry(const Map& map, const std::string& name, std::size_t size, const std::string& file)
+const typename Map::mapped_type& entry(const Map& map, const std::string& name, std::size_t size,
+                                       const std::string& file)
 {
     const auto found = map.find(name);
     if (found == map.end() || found->second.size() != size)
     {
-        throw InputError(fmt::format("{}: checkpoint holds {} values of {}; expected {}", file, found == map.end() ? 0 : found->second.size(), name, size));
+        throw InputError(fmt::format("{}: checkpoint holds {} values of {}; expected {}", file,
+                                     found == map.end() ? 0 : found->second.size(), name, size));
     }
     return found->second;
 }
 
-std::string column_name(const MeasureColumn& column) { return "measures." + std::string(column.key); }
+std::string column_name(const MeasureColumn& column)
+{
+    return "measures." + std::string(column.key);
+}
 
 } // namespace
 
@@ -33,8 +38,13 @@ Checkpoint to_checkpoint(const State& state, std::span<const Measures> rows, con
     checkpoint.case_text = case_text;
     checkpoint.vectors["position"] = state.motion.x;
     checkpoint.vectors["velocity"] = state.motion.v;
-    checkpoint.scalars["clock"] = {state.t,        state.step_scale, state.kinetic_energy, state.books.growth_work, state.books.dissipated,
-                                   state.lowest_gi_sphere, state.onset_t};
+    checkpoint.scalars["clock"] = {state.t,
+                                   state.step_scale,
+                                   state.kinetic_energy,
+                                   state.books.growth_work,
+                                   state.books.dissipated,
+                                   state.lowest_gi_sphere,
+                                   state.onset_t};
     checkpoint.integers["counters"] = {state.steps, state.rejected_steps, static_cast<std::int64_t>(rows.size())};
     for (const MeasureColumn& column : measure_columns())
     {

@@ -41,7 +41,8 @@ ParticleArrays particle_arrays(const Simulation& simulation, std::span<const Mat
                  [&](std::int64_t signed_i)
                  {
                      const auto i = static_cast<std::size_t>(signed_i);
-                     const MaterialPoint point = material_point(tissue.options, tissue.theta[i], tissue.regional_rate[i], simulation.state().t);
+                     const MaterialPoint point =
+                         material_point(tissue.options, tissue.theta[i], tissue.regional_rate[i], simulation.state().t);
                      const Mat3 F_e = F[i] * inverse_growth_tensor(point.growth, tissue.normal[i]);
                      const NeoHookean law{point.shear_modulus, point.bulk_modulus, tissue.options.barrier_J};
                      const Mat3 sigma = cauchy_stress(law.respond(F_e).stress, F_e);
@@ -80,8 +81,15 @@ std::vector<double> on_surface(const Cloud& cloud, std::span<const double> value
 Frame make_frame(const Simulation& simulation, std::span<const Mat3> F, std::string name)
 {
     const Cloud& cloud = simulation.body().cloud;
-    Frame frame{simulation.state().t, std::move(name), simulation.state().motion.x, simulation.body().tissue.theta, {},
-                simulation.surface_positions(), cloud.surface_triangles, {}, {}};
+    Frame frame{simulation.state().t,
+                std::move(name),
+                simulation.state().motion.x,
+                simulation.body().tissue.theta,
+                {},
+                simulation.surface_positions(),
+                cloud.surface_triangles,
+                {},
+                {}};
     std::vector<double> J;
     for (std::size_t i = 0; i < F.size(); ++i)
     {
@@ -93,7 +101,8 @@ Frame make_frame(const Simulation& simulation, std::span<const Mat3> F, std::str
     return frame;
 }
 
-void write_frame(const std::filesystem::path& folder, const Simulation& simulation, std::span<const Mat3> F, const Frame& frame)
+void write_frame(const std::filesystem::path& folder, const Simulation& simulation, std::span<const Mat3> F,
+                 const Frame& frame)
 {
     const Cloud& cloud = simulation.body().cloud;
     const Tissue& tissue = simulation.body().tissue;
@@ -114,8 +123,9 @@ void write_frame(const std::filesystem::path& folder, const Simulation& simulati
     const std::vector<double> id(cloud.surface_particles.begin(), cloud.surface_particles.end());
     const std::vector<double> theta = on_surface<1>(cloud, frame.theta);
     const std::vector<double> displacement = on_surface<3>(cloud, a.displacement);
-    const std::vector surface_fields{Field{"J", 1, frame.surface_J}, Field{"theta", 1, theta}, Field{"growth", 1, frame.surface_growth},
-                                     Field{"displacement", 3, displacement}, Field{"id", 1, id}};
+    const std::vector surface_fields{Field{"J", 1, frame.surface_J}, Field{"theta", 1, theta},
+                                     Field{"growth", 1, frame.surface_growth}, Field{"displacement", 3, displacement},
+                                     Field{"id", 1, id}};
     write_surface_vtp(folder / ("surface_" + frame.name + ".vtp"), frame.surface, frame.triangles, surface_fields);
 }
 

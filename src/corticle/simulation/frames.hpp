@@ -12,6 +12,7 @@ Frame make_frame(const Simulation& simulation, std::span<const Mat3> F, std::str
 
 /// Writes surface_NAME.vtp (J, theta, growth, depth, displacement, id) and particles_NAME.vtu
 /// (J, theta, growth, stress, displacement, depth, normal, volume, id), each whole or not at all.
-void write_frame(const std::filesystem::path& folder, const Simulation& simulation, std::span<const Mat3> F, const Frame& frame);
+void write_frame(const std::filesystem::path& folder, const Simulation& simulation, std::span<const Mat3> F,
+                 const Frame& frame);
 
 } // namespace corticle

@@ -33,6 +33,9 @@ InterruptionGuard::~InterruptionGuard()
     std::signal(SIGTERM, SIG_DFL);
 }
 
-bool InterruptionGuard::requested() { return interruption_requested != 0; }
+bool InterruptionGuard::requested()
+{
+    return interruption_requested != 0;
+}
 
 } // namespace corticle

@@ -55,7 +55,10 @@ std::string header()
 
 } // namespace
 
-std::span<const MeasureColumn> measure_columns() { return columns; }
+std::span<const MeasureColumn> measure_columns()
+{
+    return columns;
+}
 
 Measures measure(const Simulation& simulation, std::span<const Mat3> F)
 {
@@ -136,7 +139,8 @@ std::vector<Measures> parse_measures_csv(std::string_view text, const std::strin
             const auto [next, error] = std::from_chars(at, end, row.*column.value);
             if (error != std::errc{} || next == end)
             {
-                throw InputError(fmt::format("{}: line {}: bad number in column {}", name, rows.size() + 2, column.key));
+                throw InputError(
+                    fmt::format("{}: line {}: bad number in column {}", name, rows.size() + 2, column.key));
             }
             at = next + 1; // the comma or the end of the line
         }

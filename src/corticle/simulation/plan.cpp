@@ -14,7 +14,8 @@ namespace
 {
 
 constexpr int timed_steps = 10;
-constexpr double steps_over_first = 4.0;  ///< a fold's steps over those its first step size would give: growth and creases shorten steps
+constexpr double steps_over_first =
+    4.0; ///< a fold's steps over those its first step size would give: growth and creases shorten steps
 constexpr double contact_surcharge = 1.2; ///< time of a step with folds that touch, over one without
 
 } // namespace
@@ -44,10 +45,11 @@ Plan plan(const Options& options, int threads)
     }
     const double each = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / timed_steps;
     result.seconds = contact_surcharge * each * result.steps;
-    result.text = fmt::format("{}particles   {} ({} on the surface)\nspacing     {:.4g} mm\nneighbours  {:.1f}\nsteps       about {:.0f}\nmemory      about "
+    result.text = fmt::format("{}particles   {} ({} on the surface)\nspacing     {:.4g} mm\nneighbours  {:.1f}\nsteps  "
+                              "     about {:.0f}\nmemory      about "
                               "{:.0f} MB\ntime        about {:.0f} s on {} threads\n",
-                              notes, result.particles, result.surface_vertices, result.spacing_mm, result.neighbors_mean, result.steps,
-                              result.memory_mb, result.seconds, thread_count());
+                              notes, result.particles, result.surface_vertices, result.spacing_mm,
+                              result.neighbors_mean, result.steps, result.memory_mb, result.seconds, thread_count());
     return result;
 }
 

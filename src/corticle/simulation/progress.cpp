@@ -14,8 +14,8 @@ constexpr double redraw_s = 0.5;
 
 Progress::Progress(const Simulation& simulation, double t_end, bool quiet)
     : shown_(!quiet && isatty(STDERR_FILENO) == 1), t_end_(t_end),
-      area_0_(surface_area(simulation.body().surface.vertices, simulation.body().surface.triangles)), drawn_at_(Clock::now()),
-      t_drawn_(simulation.state().t), steps_drawn_(simulation.state().steps)
+      area_0_(surface_area(simulation.body().surface.vertices, simulation.body().surface.triangles)),
+      drawn_at_(Clock::now()), t_drawn_(simulation.state().t), steps_drawn_(simulation.state().steps)
 {
 }
 
@@ -34,9 +34,12 @@ void Progress::update(const Simulation& simulation)
     const std::vector<Vec3> x = simulation.surface_positions();
     const double left = (t_end_ - state.t) / std::max((state.t - t_drawn_) / since, 1e-12);
     const int width = static_cast<int>(24.0 * state.t / t_end_);
-    fmt::print(stderr, "\r[{:=<{}}{: <{}}] t {:.4f}  step {}  {:.0f} steps/s  {:.0f}:{:02.0f} left  area x{:.3f}  J >= {:.3f} \033[K", "", width, "",
-               24 - width, state.t, state.steps, static_cast<double>(state.steps - steps_drawn_) / since, std::floor(left / 60.0),
-               std::fmod(left, 60.0), surface_area(x, simulation.body().cloud.surface_triangles) / area_0_, simulation.internal().smallest_J);
+    fmt::print(
+        stderr,
+        "\r[{:=<{}}{: <{}}] t {:.4f}  step {}  {:.0f} steps/s  {:.0f}:{:02.0f} left  area x{:.3f}  J >= {:.3f} \033[K",
+        "", width, "", 24 - width, state.t, state.steps, static_cast<double>(state.steps - steps_drawn_) / since,
+        std::floor(left / 60.0), std::fmod(left, 60.0),
+        surface_area(x, simulation.body().cloud.surface_triangles) / area_0_, simulation.internal().smallest_J);
     std::fflush(stderr);
     drawn_at_ = Clock::now();
     t_drawn_ = state.t;

@@ -25,16 +25,19 @@ constexpr std::int64_t default_pictures = 5;
 bool belongs_to_a_run(const fs::path& file)
 {
     const std::string name = file.filename().string();
-    const auto is = [&](std::string_view start, std::string_view extension) { return name.starts_with(start) && file.extension() == extension; };
-    return name == "case.toml" || name == "summary.json" || name == "measures.csv" || name == "checkpoint.h5" || name == "run.log" ||
-           name == "surface.pvd" || name == "particles.pvd" || is("surface_", ".vtp") || is("particles_", ".vtu") || is("surface_", ".png") ||
-           is("cut_", ".png") || name == "measures.png";
+    const auto is = [&](std::string_view start, std::string_view extension)
+    { return name.starts_with(start) && file.extension() == extension; };
+    return name == "case.toml" || name == "summary.json" || name == "measures.csv" || name == "checkpoint.h5" ||
+           name == "run.log" || name == "surface.pvd" || name == "particles.pvd" || is("surface_", ".vtp") ||
+           is("particles_", ".vtu") || is("surface_", ".png") || is("cut_", ".png") || name == "measures.png";
 }
 
 std::size_t nearest(std::span<const double> times, double t)
 {
-    return static_cast<std::size_t>(
-        std::min_element(times.begin(), times.end(), [&](double a, double b) { return std::abs(a - t) < std::abs(b - t); }) - times.begin());
+    return static_cast<std::size_t>(std::min_element(times.begin(), times.end(),
+                                                     [&](double a, double b)
+                                                     { return std::abs(a - t) < std::abs(b - t); }) -
+                                    times.begin());
 }
 
 } // namespace
@@ -50,11 +53,13 @@ void require_usable_folder(const RunRequest& request)
     }
     if (!fs::is_directory(existing, error) || access(existing.c_str(), W_OK | X_OK) != 0)
     {
-        throw InputError(fmt::format("--out {}: {} is not a folder that can be written; expected one", request.out.string(), existing.string()));
+        throw InputError(fmt::format("--out {}: {} is not a folder that can be written; expected one",
+                                     request.out.string(), existing.string()));
     }
     if (fs::exists(out / "case.toml", error) && !request.resume && !request.overwrite)
     {
-        throw InputError(fmt::format("--out {}: holds a run already; expected another folder, --resume to go on with it or --overwrite to replace it",
+        throw InputError(fmt::format("--out {}: holds a run already; expected another folder, --resume to go on with "
+                                     "it or --overwrite to replace it",
                                      request.out.string()));
     }
 }
@@ -70,8 +75,9 @@ std::optional<Checkpoint> find_checkpoint(const RunRequest& request, const std::
     const std::vector<std::string> differences = differing_keys(checkpoint.case_text, case_text);
     if (!differences.empty())
     {
-        throw InputError(fmt::format("--resume {}: the case differs from that of the checkpoint in {}; expected the same case",
-                                     request.out.string(), fmt::join(differences, ", ")));
+        throw InputError(
+            fmt::format("--resume {}: the case differs from that of the checkpoint in {}; expected the same case",
+                        request.out.string(), fmt::join(differences, ", ")));
     }
     return checkpoint;
 }
@@ -117,7 +123,8 @@ std::vector<double> output_times(const Options& options)
     }
     times.push_back(end);
     std::sort(times.begin(), times.end());
-    times.erase(std::unique(times.begin(), times.end(), [](double a, double b) { return b - a < same_time; }), times.end());
+    times.erase(std::unique(times.begin(), times.end(), [](double a, double b) { return b - a < same_time; }),
+                times.end());
     times.back() = end;
     return times;
 }
@@ -143,7 +150,10 @@ std::vector<bool> picture_flags(const Options& options, std::span<const double> 
     return flags;
 }
 
-std::string frame_name(std::size_t row) { return fmt::format("{:04}", row); }
+std::string frame_name(std::size_t row)
+{
+    return fmt::format("{:04}", row);
+}
 
 void write_tables(const fs::path& folder, std::span<const Measures> rows)
 {

@@ -10,7 +10,8 @@
 namespace corticle
 {
 
-/// Refuses a run folder that cannot be written or that holds a run which was not asked to be resumed or overwritten. Writes nothing.
+/// Refuses a run folder that cannot be written or that holds a run which was not asked to be resumed or overwritten.
+/// Writes nothing.
 void require_usable_folder(const RunRequest& request);
 
 /// The checkpoint to resume from, if the request and the folder have one.

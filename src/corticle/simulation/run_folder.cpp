@@ -29,7 +29,10 @@ namespace
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double seconds_since(Clock::time_point start)
+{
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 /// run.log gets everything; the terminal gets warnings.
 std::shared_ptr<spdlog::logger> make_log(const fs::path& folder, bool quiet)
@@ -49,7 +52,8 @@ void create_folder(const fs::path& folder)
     fs::create_directories(folder, error);
     if (error)
     {
-        throw InputError(fmt::format("--out {}: cannot be made: {}; expected a folder that can be written", folder.string(), error.message()));
+        throw InputError(fmt::format("--out {}: cannot be made: {}; expected a folder that can be written",
+                                     folder.string(), error.message()));
     }
 }
 
@@ -65,8 +69,10 @@ double earlier_wall(const fs::path& folder)
 class Recorder
 {
   public:
-    Recorder(const RunRequest& request, std::string case_text, std::shared_ptr<spdlog::logger> log, Clock::time_point start, double wall_before)
-        : request_(request), case_text_(std::move(case_text)), log_(std::move(log)), start_(start), saved_at_(start), wall_before_(wall_before)
+    Recorder(const RunRequest& request, std::string case_text, std::shared_ptr<spdlog::logger> log,
+             Clock::time_point start, double wall_before)
+        : request_(request), case_text_(std::move(case_text)), log_(std::move(log)), start_(start), saved_at_(start),
+          wall_before_(wall_before)
     {
         std::string reason;
         pictures_ = request.options.output.pictures == "on" && can_render(reason);
@@ -97,8 +103,10 @@ class Recorder
             render_frame(request_.out, frame);
         }
         save(simulation);
-        log_->info("t = {:.4f}: step {}, area ratio {:.4f}, sphere index {:.4f}, hull index {:.4f}, J {:.3f} to {:.3f}, overlap {:.5f}", row.t,
-                   simulation.state().steps, row.area_ratio, row.gi_sphere, row.gi_hull, row.J_min, row.J_max, row.overlap_area_share);
+        log_->info("t = {:.4f}: step {}, area ratio {:.4f}, sphere index {:.4f}, hull index {:.4f}, J {:.3f} to "
+                   "{:.3f}, overlap {:.5f}",
+                   row.t, simulation.state().steps, row.area_ratio, row.gi_sphere, row.gi_hull, row.J_min, row.J_max,
+                   row.overlap_area_share);
         for (const std::string& warning : energy_warnings(row))
         {
             log_->log(warned_ ? spdlog::level::info : spdlog::level::warn, warning);
@@ -125,9 +133,11 @@ class Recorder
         const double session = seconds_since(start_);
         const Measures last = rows_.empty() ? Measures{} : rows_.back();
         write_text_atomically(request_.out / "summary.json",
-                              summary_json(simulation, last, {status, reason, thread_count(), wall_before_ + session, session,
-                                                              simulation.state().steps - first_step_}));
-        log_->info("{} at t = {:.6g} after {} steps, {:.1f} s", status, simulation.state().t, simulation.state().steps, wall_before_ + session);
+                              summary_json(simulation, last,
+                                           {status, reason, thread_count(), wall_before_ + session, session,
+                                            simulation.state().steps - first_step_}));
+        log_->info("{} at t = {:.6g} after {} steps, {:.1f} s", status, simulation.state().t, simulation.state().steps,
+                   wall_before_ + session);
     }
 
     void finish()
@@ -183,13 +193,15 @@ bool fold(Simulation& simulation, Recorder& recorder, const Options& options, bo
 
 void log_body(spdlog::logger& log, const Body& body)
 {
-    log.info("{} particles, {} of them on the surface, spacing {:.4g} mm, {:.1f} neighbours, {} pairs dropped because they do not see each other",
-             body.cloud.positions.size(), body.cloud.surface_particles.size(), body.cloud.spacing, body.report.neighbors_mean,
-             body.report.visibility.dropped_pairs);
+    log.info("{} particles, {} of them on the surface, spacing {:.4g} mm, {:.1f} neighbours, {} pairs dropped because "
+             "they do not see each other",
+             body.cloud.positions.size(), body.cloud.surface_particles.size(), body.cloud.spacing,
+             body.report.neighbors_mean, body.report.visibility.dropped_pairs);
     if (body.report.input_vertices > 0)
     {
-        log.info("remeshed {} vertices: area {:+.3f} %, volume {:+.3f} %, at most {:.3g} mm from the input", body.report.input_vertices,
-                 100.0 * body.report.remesh.area_change, 100.0 * body.report.remesh.volume_change, body.report.remesh.largest_distance_mm);
+        log.info("remeshed {} vertices: area {:+.3f} %, volume {:+.3f} %, at most {:.3g} mm from the input",
+                 body.report.input_vertices, 100.0 * body.report.remesh.area_change,
+                 100.0 * body.report.remesh.volume_change, body.report.remesh.largest_distance_mm);
     }
     for (const std::string& warning : body.report.warnings)
     {

@@ -17,7 +17,7 @@ struct RunRequest
     std::filesystem::path out; ///< run folder
     int threads = 0;           ///< 0: all cores
     bool resume = false;
-    bool overwrite = false;    ///< remove an earlier run of the same folder first
+    bool overwrite = false; ///< remove an earlier run of the same folder first
     bool quiet = false;
 };
 

@@ -13,11 +13,11 @@ namespace corticle
 struct Frame
 {
     double t = 0.0;
-    std::string name;                      ///< "0007": part of every file name of the frame
-    std::vector<Vec3> particles;           ///< current positions [mm]
-    std::vector<double> theta;             ///< [-]
-    std::vector<double> particle_growth;   ///< g [-]
-    std::vector<Vec3> surface;             ///< current positions of the surface vertices [mm]
+    std::string name;                    ///< "0007": part of every file name of the frame
+    std::vector<Vec3> particles;         ///< current positions [mm]
+    std::vector<double> theta;           ///< [-]
+    std::vector<double> particle_growth; ///< g [-]
+    std::vector<Vec3> surface;           ///< current positions of the surface vertices [mm]
     std::vector<Triangle> triangles;
     std::vector<double> surface_J;
     std::vector<double> surface_growth;

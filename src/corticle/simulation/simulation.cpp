@@ -54,7 +54,8 @@ double loading_time(const Body& body, const Options& options)
 
 Simulation::Simulation(Body& body, const Options& options)
     : body_(body), options_(options), solver_(body.particles, body.tissue), mass_(body.cloud.volumes),
-      contact_(body.cloud.surface_triangles, body.surface.vertices, gather(mass_, body.cloud.surface_particles), body.cloud.spacing, options.contact),
+      contact_(body.cloud.surface_triangles, body.surface.vertices, gather(mass_, body.cloud.surface_particles),
+               body.cloud.spacing, options.contact),
       total_time_(loading_time(body, options)), damping_(options.dynamics.damping / total_time_),
       travel_limit_(mass_.size(), std::numeric_limits<double>::infinity())
 {
@@ -155,7 +156,8 @@ void Simulation::note_onset()
         return;
     }
     const std::vector<Vec3> x = surface_positions();
-    const double gi = sphere_index(surface_area(x, body_.cloud.surface_triangles), enclosed_volume(x, body_.cloud.surface_triangles));
+    const double gi =
+        sphere_index(surface_area(x, body_.cloud.surface_triangles), enclosed_volume(x, body_.cloud.surface_triangles));
     state_.lowest_gi_sphere = std::min(state_.lowest_gi_sphere, gi);
     if (gi > state_.lowest_gi_sphere + onset_rise)
     {
@@ -169,11 +171,14 @@ void Simulation::give_up(const Motion& motion, double t, double dt) const
     const Mat3 F = solver_.deformation_gradients(motion.x)[i];
     const Vec3 x = motion.x[i];
     const Vec3 X = body_.cloud.positions[i];
-    throw RunError(fmt::format("particle {} inverted at step {}, t = {:.6g}, after {} halvings of the step (dt/T = {:.3g}): position ({:.5g}, {:.5g}, "
-                               "{:.5g}) mm, reference ({:.5g}, {:.5g}, {:.5g}) mm, depth {:.4g} mm, J = {:.4g}, F = [[{:.4g}, {:.4g}, {:.4g}], "
+    throw RunError(fmt::format("particle {} inverted at step {}, t = {:.6g}, after {} halvings of the step (dt/T = "
+                               "{:.3g}): position ({:.5g}, {:.5g}, "
+                               "{:.5g}) mm, reference ({:.5g}, {:.5g}, {:.5g}) mm, depth {:.4g} mm, J = {:.4g}, F = "
+                               "[[{:.4g}, {:.4g}, {:.4g}], "
                                "[{:.4g}, {:.4g}, {:.4g}], [{:.4g}, {:.4g}, {:.4g}]], {} neighbours",
-                               i, state_.steps + 1, t, options_.dynamics.max_halvings, dt / total_time_, x.x, x.y, x.z, X.x, X.y, X.z,
-                               body_.tissue.depth[i], determinant(F), F(0, 0), F(0, 1), F(0, 2), F(1, 0), F(1, 1), F(1, 2), F(2, 0), F(2, 1), F(2, 2),
+                               i, state_.steps + 1, t, options_.dynamics.max_halvings, dt / total_time_, x.x, x.y, x.z,
+                               X.x, X.y, X.z, body_.tissue.depth[i], determinant(F), F(0, 0), F(0, 1), F(0, 2), F(1, 0),
+                               F(1, 1), F(1, 2), F(2, 0), F(2, 1), F(2, 2),
                                body_.particles.pairs.begin[i + 1] - body_.particles.pairs.begin[i]));
 }
 

@@ -47,8 +47,8 @@ class Simulation
     TlsphSolver solver_;
     std::vector<double> mass_; ///< density 1 [mm³]
     SurfaceContact contact_;
-    double total_time_;        ///< T, time of t = 0..1
-    double damping_;           ///< gamma
+    double total_time_; ///< T, time of t = 0..1
+    double damping_;    ///< gamma
     State state_;
     Motion proposed_;
     InternalResponse internal_;

@@ -11,22 +11,22 @@ namespace corticle
 /// Energy books of a run, summed over its steps [mu_w mm³].
 struct EnergyBooks
 {
-    double growth_work = 0.0;        ///< put in by growth
-    double dissipated = 0.0;         ///< taken by damping, contact damping and travel limits
+    double growth_work = 0.0; ///< put in by growth
+    double dissipated = 0.0;  ///< taken by damping, contact damping and travel limits
 };
 
 /// All that a checkpoint needs, besides the case: forces and step follow from it.
 struct State
 {
     Motion motion;
-    double t = 0.0;            ///< growth time [-]
+    double t = 0.0; ///< growth time [-]
     std::int64_t steps = 0;
     std::int64_t rejected_steps = 0;
-    double step_scale = 1.0;   ///< 1, or what rejections have left of it; grows back
+    double step_scale = 1.0;     ///< 1, or what rejections have left of it; grows back
     double kinetic_energy = 0.0; ///< [mu_w mm³]
     EnergyBooks books;
     double lowest_gi_sphere = 1e300; ///< lowest sphere index so far
-    double onset_t = -1.0;     ///< first t at which the sphere index stands 0.01 above its lowest; negative if not yet
+    double onset_t = -1.0; ///< first t at which the sphere index stands 0.01 above its lowest; negative if not yet
 };
 
 } // namespace corticle

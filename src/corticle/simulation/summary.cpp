@@ -44,7 +44,8 @@ std::string summary_json(const Simulation& simulation, const Measures& last, con
     j["steps"] = state.steps;
     j["rejected_steps"] = state.rejected_steps;
     j["wall_s"] = info.wall_s;
-    j["us_per_particle_step"] = work > 0.0 ? nlohmann::ordered_json(1e6 * info.session_wall_s / work) : nlohmann::ordered_json(nullptr);
+    j["us_per_particle_step"] =
+        work > 0.0 ? nlohmann::ordered_json(1e6 * info.session_wall_s / work) : nlohmann::ordered_json(nullptr);
     j["peak_memory_mb"] = peak_memory_mb();
     j["area_mm2"] = last.area_mm2;
     j["volume_mm3"] = last.volume_mm3;
@@ -87,13 +88,15 @@ std::vector<std::string> energy_warnings(const Measures& row)
     const double kinetic = row.energy_kinetic / row.energy_elastic;
     if (zero_mode > most_zero_mode_share)
     {
-        warnings.push_back(fmt::format("at t = {:.3f} the zero-energy control holds {:.1f} % of the elastic energy (above {:.0f} %): the cloud is coarse "
+        warnings.push_back(fmt::format("at t = {:.3f} the zero-energy control holds {:.1f} % of the elastic energy "
+                                       "(above {:.0f} %): the cloud is coarse "
                                        "for these folds and acts stiffer than the tissue; more particles lower it",
                                        row.t, 100.0 * zero_mode, 100.0 * most_zero_mode_share));
     }
     if (kinetic > most_kinetic_share)
     {
-        warnings.push_back(fmt::format("at t = {:.3f} the kinetic energy is {:.1f} % of the elastic energy (above {:.0f} %): growth is too fast to be "
+        warnings.push_back(fmt::format("at t = {:.3f} the kinetic energy is {:.1f} % of the elastic energy (above "
+                                       "{:.0f} %): growth is too fast to be "
                                        "quasi-static; a larger solver.loading_time lowers it",
                                        row.t, 100.0 * kinetic, 100.0 * most_kinetic_share));
     }

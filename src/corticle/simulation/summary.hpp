@@ -12,7 +12,7 @@ struct RunInfo
     std::string status; ///< "completed" | "failed" | "interrupted"
     std::string reason; ///< of a failure
     int threads = 1;
-    double wall_s = 0.0;        ///< all sessions of the run together
+    double wall_s = 0.0; ///< all sessions of the run together
     double session_wall_s = 0.0;
     std::int64_t session_steps = 0;
 };

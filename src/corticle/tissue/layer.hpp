@@ -16,6 +16,9 @@ inline double smooth_layer(double depth, double thickness)
 }
 
 /// The sharp step: 1 where depth <= thickness, else 0.
-inline double binary_layer(double depth, double thickness) { return depth <= thickness ? 1.0 : 0.0; }
+inline double binary_layer(double depth, double thickness)
+{
+    return depth <= thickness ? 1.0 : 0.0;
+}
 
 } // namespace corticle

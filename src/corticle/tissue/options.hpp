@@ -20,15 +20,16 @@ enum class BulkRule
 struct TissueOptions
 {
     Layer layer = Layer::smooth;
-    double thickness_mm = 1.674;       ///< H_i
-    double thickness_rate_mm = 0.0;    ///< beta: H(t) = H_i + beta t
-    double lambda = 0.0;               ///< > 0 with layer = "binary" on a sphere or ellipsoid: cortex where sum (x/r)² >= lambda (thesis eq. 24); 0: thickness decides
-    double mu_cortex = 0.86;           ///< shear modulus [mu_w]
+    double thickness_mm = 1.674;    ///< H_i
+    double thickness_rate_mm = 0.0; ///< beta: H(t) = H_i + beta t
+    double lambda = 0.0;     ///< > 0 with layer = "binary" on a sphere or ellipsoid: cortex where sum (x/r)² >= lambda
+                             ///< (thesis eq. 24); 0: thickness decides
+    double mu_cortex = 0.86; ///< shear modulus [mu_w]
     double mu_white = 1.0;
     BulkRule bulk = BulkRule::per_tissue;
-    double bulk_modulus = 5.0;         ///< K / mu (per_tissue) or K itself (uniform)
+    double bulk_modulus = 5.0;           ///< K / mu (per_tissue) or K itself (uniform)
     double alpha_t = 1.8284271247461903; ///< sqrt(8) - 1
-    double barrier_J = 0.3;            ///< elastic volume ratio below which the barrier acts; 0: none
+    double barrier_J = 0.3;              ///< elastic volume ratio below which the barrier acts; 0: none
 };
 
 } // namespace corticle

@@ -20,7 +20,8 @@ void Tissue::set_layer(double t)
                  });
 }
 
-std::vector<double> ellipsoid_layer(std::span<const Vec3> positions, const std::array<double, 3>& semi_axes, double lambda)
+std::vector<double> ellipsoid_layer(std::span<const Vec3> positions, const std::array<double, 3>& semi_axes,
+                                    double lambda)
 {
     std::vector<double> theta;
     theta.reserve(positions.size());

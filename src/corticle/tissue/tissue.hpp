@@ -43,7 +43,8 @@ inline MaterialPoint material_point(const TissueOptions& options, double theta, 
 }
 
 /// Binary cortex of an ellipsoid (thesis eq. 24): 1 where sum_k (X_k / r_k)² >= lambda, else 0.
-std::vector<double> ellipsoid_layer(std::span<const Vec3> positions, const std::array<double, 3>& semi_axes, double lambda);
+std::vector<double> ellipsoid_layer(std::span<const Vec3> positions, const std::array<double, 3>& semi_axes,
+                                    double lambda);
 
 /// Pressure-wave speed of the white matter at density 1: sqrt(K + 4 mu / 3).
 double wave_speed(const TissueOptions& options);

@@ -6,7 +6,7 @@ namespace corticle
 
 struct TlsphOptions
 {
-    double support = 2.3;  ///< support radius of the kernel [spacings]
+    double support = 2.3; ///< support radius of the kernel [spacings]
     double zeta = 0.1;    ///< zero-energy control [-]
 };
 

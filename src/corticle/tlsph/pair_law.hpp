@@ -6,7 +6,8 @@
 
 #include <cstdint>
 
-// Sums over the neighbours of one particle. They know neither threads nor materials. Symbols as in docs/theory/tlsph.md.
+// Sums over the neighbours of one particle. They know neither threads nor materials. Symbols as in
+// docs/theory/tlsph.md.
 
 namespace corticle
 {
@@ -28,7 +29,8 @@ struct DeformationSums
 };
 
 /// @param X  reference positions [mm]   @param x  current positions [mm]
-CORTICLE_INLINE DeformationSums sum_deformation(std::int64_t i, const NeighborRange& neighbors, const Vec3* X, const Vec3* x)
+CORTICLE_INLINE DeformationSums sum_deformation(std::int64_t i, const NeighborRange& neighbors, const Vec3* X,
+                                                const Vec3* x)
 {
     const Lanes X_i = lanes(X[i]);
     const Lanes x_i = lanes(x[i]);
@@ -50,7 +52,9 @@ CORTICLE_INLINE DeformationSums sum_deformation(std::int64_t i, const NeighborRa
         squares += weighted * x_ij;
     }
     DeformationSums result;
-    result.moment = {{{column_x[0], column_x[1], column_x[2]}, {column_y[0], column_y[1], column_y[2]}, {column_z[0], column_z[1], column_z[2]}}};
+    result.moment = {{{column_x[0], column_x[1], column_x[2]},
+                      {column_y[0], column_y[1], column_y[2]},
+                      {column_z[0], column_z[1], column_z[2]}}};
     result.weighted_sum = {sum[0], sum[1], sum[2]};
     result.squared_lengths = squares[0] + squares[1] + squares[2];
     return result;
@@ -59,12 +63,13 @@ CORTICLE_INLINE DeformationSums sum_deformation(std::int64_t i, const NeighborRa
 /// What the force pass reads of a neighbour: two cache lines.
 struct alignas(64) ForceRecord
 {
-    Mat3 M;     ///< V_i P_i L_i - zeta_i F_i
-    Vec3 x;     ///< current position [mm]; its fourth lane holds zeta_i
+    Mat3 M; ///< V_i P_i L_i - zeta_i F_i
+    Vec3 x; ///< current position [mm]; its fourth lane holds zeta_i
 };
 
 /// sum_j w_ij (M_j X_ij + zeta_j x_ij), the part of the force on particle i that its neighbours' states make.
-CORTICLE_INLINE Vec3 sum_force(std::int64_t i, const NeighborRange& neighbors, const Vec3* X, const ForceRecord* records)
+CORTICLE_INLINE Vec3 sum_force(std::int64_t i, const NeighborRange& neighbors, const Vec3* X,
+                               const ForceRecord* records)
 {
     const Lanes X_i = lanes(X[i]);
     const Lanes x_i = lanes(records[i].x);

@@ -46,10 +46,13 @@ void require_well_conditioned(const Particles& particles, std::span<const double
     if (bad > 0)
     {
         const Vec3& X = particles.X[worst];
-        throw InputError(fmt::format("cloud: ill-conditioned shape matrix at {} of {} particles, worst particle {} at ({:.4g}, {:.4g}, {:.4g}) mm "
-                                     "with {} neighbours: got condition {:.3g}, expected at most {}; use a finer spacing or a larger solver.support",
-                                     bad, particles.X.size(), worst, X.x, X.y, X.z, particles.pairs.begin[worst + 1] - particles.pairs.begin[worst],
-                                     condition[worst], worst_condition));
+        throw InputError(fmt::format("cloud: ill-conditioned shape matrix at {} of {} particles, worst particle {} at "
+                                     "({:.4g}, {:.4g}, {:.4g}) mm "
+                                     "with {} neighbours: got condition {:.3g}, expected at most {}; use a finer "
+                                     "spacing or a larger solver.support",
+                                     bad, particles.X.size(), worst, X.x, X.y, X.z,
+                                     particles.pairs.begin[worst + 1] - particles.pairs.begin[worst], condition[worst],
+                                     worst_condition));
     }
 }
 
@@ -76,7 +79,8 @@ Particles make_particles(const Cloud& cloud, Neighbors pairs, const TlsphOptions
                      const auto i = static_cast<std::size_t>(signed_i);
                      Mat3 shape;
                      Vec3 sum;
-                     for (auto k = static_cast<std::size_t>(particles.pairs.begin[i]); k < static_cast<std::size_t>(particles.pairs.begin[i + 1]); ++k)
+                     for (auto k = static_cast<std::size_t>(particles.pairs.begin[i]);
+                          k < static_cast<std::size_t>(particles.pairs.begin[i + 1]); ++k)
                      {
                          const auto j = static_cast<std::size_t>(particles.pairs.index[k]);
                          const Vec3 X_ij = particles.X[j] - particles.X[i];

@@ -15,19 +15,21 @@ namespace corticle
 /// The meshless discretisation of a cloud in the reference configuration: pairs, weights and gradient corrections.
 struct Particles
 {
-    std::vector<Vec3> X;            ///< reference positions [mm]
-    std::vector<double> volume;     ///< V [mm³]
+    std::vector<Vec3> X;        ///< reference positions [mm]
+    std::vector<double> volume; ///< V [mm³]
     Neighbors pairs;
-    std::vector<float> weight;      ///< w_ij = V_i V_j omega_ij, symmetric, one per entry of pairs.index. Rounding a weight to
-                                    ///< float only redefines the kernel by 1e-7: every identity of the method holds to double precision.
+    std::vector<float>
+        weight; ///< w_ij = V_i V_j omega_ij, symmetric, one per entry of pairs.index. Rounding a weight to
+                ///< float only redefines the kernel by 1e-7: every identity of the method holds to double precision.
     std::vector<Mat3> correction;   ///< L_i = (sum_j w_ij X_ij X_ij^T)^-1
     std::vector<Vec3> weighted_sum; ///< b_i = sum_j w_ij X_ij
     TlsphOptions options;
-    double spacing = 0.0;           ///< [mm]
+    double spacing = 0.0; ///< [mm]
 };
 
 /// Weights and gradient corrections of a cloud.
-/// @throws InputError naming the worst particle when a shape matrix is ill-conditioned (largest over smallest eigenvalue above 100).
+/// @throws InputError naming the worst particle when a shape matrix is ill-conditioned (largest over smallest
+/// eigenvalue above 100).
 Particles make_particles(const Cloud& cloud, Neighbors pairs, const TlsphOptions& options);
 
 /// Ratio of the largest to the smallest eigenvalue of a symmetric positive matrix; infinite when it is not positive.

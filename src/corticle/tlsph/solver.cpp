@@ -24,11 +24,13 @@ struct PassInput
 CORTICLE_INLINE NeighborRange neighbors_of(const Particles& particles, std::int64_t i)
 {
     const std::int64_t begin = particles.pairs.begin[static_cast<std::size_t>(i)];
-    return {particles.pairs.index.data() + begin, particles.weight.data() + begin, particles.pairs.begin[static_cast<std::size_t>(i) + 1] - begin};
+    return {particles.pairs.index.data() + begin, particles.weight.data() + begin,
+            particles.pairs.begin[static_cast<std::size_t>(i) + 1] - begin};
 }
 
 /// An upper bound of 1 / (smallest singular value of F): sqrt of the bound m + sqrt(2) s of the largest eigenvalue
-/// of F^-T F^-1 by its mean m and deviation s (Wolkowicz & Styan 1980); exact for isotropic and for uniaxial compression.
+/// of F^-T F^-1 by its mean m and deviation s (Wolkowicz & Styan 1980); exact for isotropic and for uniaxial
+/// compression.
 CORTICLE_INLINE double largest_compression(const Mat3& cofactor_F, double J)
 {
     const Mat3 B = transpose(cofactor_F) * cofactor_F;
@@ -37,12 +39,15 @@ CORTICLE_INLINE double largest_compression(const Mat3& cofactor_F, double J)
     return std::sqrt(mean + std::sqrt(2.0 * variance)) / J;
 }
 
-/// Stress, energies and the force record of one particle. Writes to `own_force` the part of its force that its own state makes.
-CORTICLE_INLINE void respond(const PassInput& in, std::int64_t signed_i, ForceRecord& record, Vec3& own_force, InternalResponse& sum)
+/// Stress, energies and the force record of one particle. Writes to `own_force` the part of its force that its own
+/// state makes.
+CORTICLE_INLINE void respond(const PassInput& in, std::int64_t signed_i, ForceRecord& record, Vec3& own_force,
+                             InternalResponse& sum)
 {
     const auto i = static_cast<std::size_t>(signed_i);
     const Tissue& tissue = in.tissue;
-    const DeformationSums sums = sum_deformation(signed_i, neighbors_of(in.particles, signed_i), in.particles.X.data(), in.x);
+    const DeformationSums sums =
+        sum_deformation(signed_i, neighbors_of(in.particles, signed_i), in.particles.X.data(), in.x);
     const Mat3 F = sums.moment * in.particles.correction[i];
     const Mat3 cofactor_F = cofactor(F);
     const double J = dot(F.column[0], cofactor_F.column[0]);
@@ -75,8 +80,9 @@ CORTICLE_INLINE void respond(const PassInput& in, std::int64_t signed_i, ForceRe
     const double tangential_work = contract(elastic.stress, F_e) - dot(elastic.stress * n, F_e * n);
     sum.growth_power += tissue.options.alpha_t * tissue.theta[i] * tissue.regional_rate[i] *
                         (volume * (2.0 * g * density - g * tangential_work) + 2.0 / g * zero_mode);
-    sum.stiffest_rate = std::max(sum.stiffest_rate, g * std::sqrt(point.bulk_modulus + 4.0 / 3.0 * point.shear_modulus) *
-                                                        largest_compression(cofactor_F, J));
+    sum.stiffest_rate =
+        std::max(sum.stiffest_rate, g * std::sqrt(point.bulk_modulus + 4.0 / 3.0 * point.shear_modulus) *
+                                        largest_compression(cofactor_F, J));
     sum.barrier_count += J < tissue.options.barrier_J * g * g ? 1 : 0;
 
     const Mat3 P = (g * g) * (elastic.stress * inverse_G);
@@ -86,8 +92,8 @@ CORTICLE_INLINE void respond(const PassInput& in, std::int64_t signed_i, ForceRe
     own_force = record.M * in.particles.weighted_sum[i] + zeta * sums.weighted_sum;
 }
 
-CORTICLE_EVERY_ISA void deformation_block(const PassInput& in, std::int64_t begin, std::int64_t end, ForceRecord* records, Vec3* forces,
-                                          InternalResponse& sum)
+CORTICLE_EVERY_ISA void deformation_block(const PassInput& in, std::int64_t begin, std::int64_t end,
+                                          ForceRecord* records, Vec3* forces, InternalResponse& sum)
 {
     for (std::int64_t i = begin; i < end; ++i)
     {
@@ -95,7 +101,8 @@ CORTICLE_EVERY_ISA void deformation_block(const PassInput& in, std::int64_t begi
     }
 }
 
-CORTICLE_EVERY_ISA void force_block(const Particles& particles, std::int64_t begin, std::int64_t end, const ForceRecord* records, Vec3* forces)
+CORTICLE_EVERY_ISA void force_block(const Particles& particles, std::int64_t begin, std::int64_t end,
+                                    const ForceRecord* records, Vec3* forces)
 {
     for (std::int64_t i = begin; i < end; ++i)
     {
@@ -159,7 +166,8 @@ std::vector<Mat3> TlsphSolver::deformation_gradients(std::span<const Vec3> x) co
     parallel_for(static_cast<std::int64_t>(x.size()),
                  [&](std::int64_t i)
                  {
-                     const DeformationSums sums = sum_deformation(i, neighbors_of(particles_, i), particles_.X.data(), x.data());
+                     const DeformationSums sums =
+                         sum_deformation(i, neighbors_of(particles_, i), particles_.X.data(), x.data());
                      F[static_cast<std::size_t>(i)] = sums.moment * particles_.correction[static_cast<std::size_t>(i)];
                  });
     return F;

@@ -11,14 +11,14 @@ namespace corticle
 /// What one evaluation of the internal forces tells about the whole body.
 struct InternalResponse
 {
-    double elastic_energy = 0.0;      ///< sum_i V_i Psi(F_i) [mu_w mm³]
-    double zero_mode_energy = 0.0;    ///< [mu_w mm³]
-    double growth_power = 0.0;        ///< dE/dt at fixed positions: work of growth per unit of growth time [mu_w mm³]
-    double stiffest_rate = 0.0;       ///< largest wave speed at density 1 over smallest principal stretch, growth included
-    double smallest_J = 0.0;          ///< smallest det F
-    std::int64_t smallest_J_at = -1;  ///< its particle
-    std::int64_t barrier_count = 0;   ///< particles whose barrier acts
-    std::int64_t invalid_at = -1;     ///< first particle with det F <= 0 or a non-finite value; -1 when the state is sound
+    double elastic_energy = 0.0;   ///< sum_i V_i Psi(F_i) [mu_w mm³]
+    double zero_mode_energy = 0.0; ///< [mu_w mm³]
+    double growth_power = 0.0;     ///< dE/dt at fixed positions: work of growth per unit of growth time [mu_w mm³]
+    double stiffest_rate = 0.0;    ///< largest wave speed at density 1 over smallest principal stretch, growth included
+    double smallest_J = 0.0;       ///< smallest det F
+    std::int64_t smallest_J_at = -1; ///< its particle
+    std::int64_t barrier_count = 0;  ///< particles whose barrier acts
+    std::int64_t invalid_at = -1; ///< first particle with det F <= 0 or a non-finite value; -1 when the state is sound
 };
 
 /// Total-Lagrangian SPH: internal forces of the particles for given positions and growth time.
@@ -29,7 +29,8 @@ class TlsphSolver
     /// Keeps references to both: they must outlive the solver.
     TlsphSolver(const Particles& particles, const Tissue& tissue);
 
-    /// @param x  current positions [mm]   @param t  growth time [-]   @param forces  out [mu_w mm²]; not set when the state is invalid
+    /// @param x  current positions [mm]   @param t  growth time [-]   @param forces  out [mu_w mm²]; not set when the
+    /// state is invalid
     InternalResponse evaluate(std::span<const Vec3> x, double t, std::span<Vec3> forces);
 
     /// F at every particle for given positions.
