@@ -63,7 +63,12 @@ def fold(command, case, out):
     out.parent.mkdir(parents=True, exist_ok=True)
     stamp.write_text(now + "\n", encoding="utf-8")
     print(" ".join(arguments), flush=True)
-    return subprocess.run(arguments, check=False).returncode
+    with subprocess.Popen(arguments) as run:
+        while True:  # an interrupt reaches the command too, which writes its checkpoint before it ends
+            try:
+                return run.wait()
+            except KeyboardInterrupt:
+                continue
 
 
 def report(out):

@@ -32,7 +32,7 @@ inline TriangleMesh sheet(int cells, double height, double shift_x, double shift
 }
 
 /// Two sheets that face each other; the second one is smaller, so that its vertices lie over inner points of triangles
-/// of the first, and its inner edges cross inner edges.
+/// of the first, and its rim is farther than 0.3 from the nearest vertex beside it.
 struct Banks
 {
     TriangleMesh mesh;
@@ -42,7 +42,7 @@ struct Banks
     {
         const TriangleMesh lower = sheet(5, 0.0, 0.0, 0.0);
         lower_count = lower.vertices.size();
-        mesh = together(lower, sheet(3, gap, 0.81, 0.63));
+        mesh = together(lower, sheet(3, gap, 0.61, 0.43));
     }
     std::vector<double> masses() const
     {

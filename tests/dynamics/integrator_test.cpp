@@ -19,8 +19,15 @@ struct Oscillator
     double mass = 2.0;
     double stiffness = 3.0;
     double damping = 0.0;
-    Motion motion{{Vec3{1, 2, 2} / 3.0}, {Vec3{}}, {Vec3{}}};
+    Motion motion;
     double damped = 0.0;
+
+    Oscillator()
+    {
+        motion.x.assign(1, Vec3{1, 2, 2} / 3.0);
+        motion.v.resize(1);
+        motion.force.resize(1);
+    }
 
     double potential() const { return 0.5 * stiffness * squared_norm(motion.x[0]); }
 

@@ -97,8 +97,22 @@ TEST_F(Pictures, CutShowsTheNearestParticles)
 {
     // One particle of cortex on the left, one of white matter on the right of a section through a tetrahedron.
     const std::vector<Vec3> particles{{0.2, 0.3, -0.5}, {0.9, 0.3, -0.5}};
-    render_cut(folder / "a.png", particles, std::vector<double>{1, 0}, std::vector<double>{0, 1}, mesh.vertices,
-               mesh.triangles, {"stress [kPa]", 0, 1, "viridis"}, 2, -0.5, "cut");
+    const std::vector<Mat3> undeformed(2, Mat3::identity());
+    const std::array theta{1.0, 0.0};
+    const std::array scalar{0.0, 1.0};
+    const CutInput input{.positions = particles,
+                         .origins = particles,
+                         .F = undeformed,
+                         .theta = theta,
+                         .scalar = scalar,
+                         .spacing = 0.5,
+                         .surface_points = mesh.vertices,
+                         .triangles = mesh.triangles,
+                         .axis = 2,
+                         .coordinate = -0.5};
+    render_cut(folder / "a.png", input, {"stress [kPa]", 0, 1, "viridis"}, "cut");
+    render_cut(folder / "b.png", input, {"stress [kPa]", 0, 1, "viridis"}, "cut");
+    EXPECT_EQ(bytes_of(folder / "a.png"), bytes_of(folder / "b.png"));
     const Picture picture = read_picture(folder / "a.png");
     EXPECT_EQ(picture.width, 1600);
     EXPECT_TRUE(picture.colors.contains(Pixel{196, 78, 62}));   // cortex
@@ -110,8 +124,12 @@ TEST_F(Pictures, CutShowsTheNearestParticles)
 
 TEST_F(Pictures, CutBesideTheBodyIsEmptyButDrawn)
 {
-    render_cut(folder / "a.png", {}, {}, {}, mesh.vertices, mesh.triangles, {"stress [kPa]", 0, 1, "viridis"}, 0, 50.0,
-               "beside");
+    CutInput input;
+    input.surface_points = mesh.vertices;
+    input.triangles = mesh.triangles;
+    input.axis = 0;
+    input.coordinate = 50.0;
+    render_cut(folder / "a.png", input, {"stress [kPa]", 0, 1, "viridis"}, "beside");
     EXPECT_GT(read_picture(folder / "a.png").colors.size(), 10u);
 }
 

@@ -84,7 +84,7 @@ TEST(Overlap, IsZeroForAConvexBody)
 struct CrossedSpheres
 {
     // Radius 10, centres 12 apart: each loses a cap of height 10 - 6 = 4.
-    TriangleMesh mesh = test::together(ball(10, 0.7, {}), ball(10, 0.7, {12, 0, 0}));
+    TriangleMesh mesh = test::together(ball(10, 1.0, {}), ball(10, 1.0, {12, 0, 0}));
 };
 
 TEST(Overlap, IsTheShareOfTheCapsOfTwoCrossedSpheres)

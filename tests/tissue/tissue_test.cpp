@@ -25,19 +25,26 @@ TEST(Layer, SmoothStepOfTheThesis)
 
 TEST(Layer, BinaryStep)
 {
-    EXPECT_EQ(binary_layer(0.0, 1.5), 1.0);
-    EXPECT_EQ(binary_layer(1.5, 1.5), 1.0);
-    EXPECT_EQ(binary_layer(1.5000001, 1.5), 0.0);
+    // The share of a cell of width 0.5 whose centre lies so far inside the boundary.
+    EXPECT_EQ(binary_layer(1.0, 0.5), 1.0);
+    EXPECT_EQ(binary_layer(0.25, 0.5), 1.0);
+    EXPECT_DOUBLE_EQ(binary_layer(0.125, 0.5), 0.75);
+    EXPECT_DOUBLE_EQ(binary_layer(0.0, 0.5), 0.5);
+    EXPECT_EQ(binary_layer(-0.25, 0.5), 0.0);
 }
 
 TEST(Layer, BinaryStepOfAnEllipsoid)
 {
     // Sphere of the thesis: lambda = 0.75 puts the inner radius at 12.496 sqrt(0.75) = 10.8219 mm.
     const std::vector<Vec3> radii{{0, 0, 0}, {10.821, 0, 0}, {0, 10.823, 0}, {0, 0, 12.496}};
-    EXPECT_EQ(ellipsoid_layer(radii, {12.496, 12.496, 12.496}, 0.75), (std::vector<double>{0, 0, 1, 1}));
+    const std::vector<double> narrow(6, 1e-3); // cells so narrow that the step is sharp
+    EXPECT_EQ(ellipsoid_layer(radii, narrow, {12.496, 12.496, 12.496}, 0.75), (std::vector<double>{0, 0, 1, 1}));
     // On the axes of an ellipsoid the step lies at sqrt(lambda) of each semi-axis.
     const std::vector<Vec3> points{{7.9, 0, 0}, {8.1, 0, 0}, {0, 3.9, 0}, {0, 4.1, 0}, {0, 0, 1.9}, {0, 0, 2.1}};
-    EXPECT_EQ(ellipsoid_layer(points, {16, 8, 4}, 0.25), (std::vector<double>{0, 1, 0, 1, 0, 1}));
+    EXPECT_EQ(ellipsoid_layer(points, narrow, {16, 8, 4}, 0.25), (std::vector<double>{0, 1, 0, 1, 0, 1}));
+    // A wide cell a tenth of a millimetre outside the step: 0.5 + 0.1 / 0.5 of it is cortex.
+    const std::vector<Vec3> near_step{{8.1, 0, 0}};
+    EXPECT_NEAR(ellipsoid_layer(near_step, std::vector<double>{0.5}, {16, 8, 4}, 0.25)[0], 0.7, 1e-12);
 }
 
 TEST(Tissue, ThicknessFollowsItsRate)
@@ -47,6 +54,7 @@ TEST(Tissue, ThicknessFollowsItsRate)
     tissue.options.thickness_mm = 1.5;
     tissue.options.thickness_rate_mm = 0.8;
     tissue.depth = {0.0, 1.5, 1.9, 2.3};
+    tissue.cell_width.assign(4, 1e-3);
     tissue.set_layer(0.5); // H = 1.9
     for (std::size_t i = 0; i < tissue.depth.size(); ++i)
     {
@@ -54,7 +62,7 @@ TEST(Tissue, ThicknessFollowsItsRate)
     }
     tissue.options.layer = Layer::binary;
     tissue.set_layer(0.0);
-    EXPECT_EQ(tissue.theta, (std::vector<double>{1, 1, 0, 0}));
+    EXPECT_EQ(tissue.theta, (std::vector<double>{1, 0.5, 0, 0}));
     tissue.set_layer(0.6); // H = 1.98
     EXPECT_EQ(tissue.theta, (std::vector<double>{1, 1, 1, 0}));
 }

@@ -145,7 +145,7 @@ TEST_P(TlsphForces, AgreeWithPlainLoops)
 
 INSTANTIATE_TEST_SUITE_P(Tissues, TlsphForces,
                          testing::Values(Situation{BulkRule::per_tissue, 1.0, 0.3},
-                                         Situation{BulkRule::uniform, 1.1, 0.5},
+                                         Situation{BulkRule::uniform, 1.1, 0.25},
                                          Situation{BulkRule::per_tissue, 0.6, 0.4}));
 
 TEST(Particles, WeightsAreSymmetricAndThoseOfTheKernel)

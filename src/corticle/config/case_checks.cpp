@@ -74,6 +74,12 @@ void check_tissue(const Options& options, const Place& place)
                                      "\"binary\" and geometry.shape \"sphere\" or \"ellipsoid\"",
                                      place("tissue.lambda"), tissue.lambda));
     }
+    if (tissue.lambda > 0.0 && tissue.thickness_rate_mm != 0.0)
+    {
+        throw InputError(fmt::format("tissue.thickness_rate_mm{} is out of range: got {}, expected 0 where "
+                                     "tissue.lambda sets the thickness",
+                                     place("tissue.thickness_rate_mm"), tissue.thickness_rate_mm));
+    }
     const double last = tissue.thickness_mm + tissue.thickness_rate_mm * options.time.end;
     if (!(last > 0.0))
     {

@@ -18,10 +18,12 @@ Options read_case(const std::filesystem::path& file, std::span<const std::string
 Options parse_case(std::string_view text, const std::string& name, std::span<const std::string> overrides,
                    const std::filesystem::path& base_directory);
 
-/// The resolved case as TOML, every key with its value: what the run folder's case.toml and the checkpoint hold. read_case of it gives equal options.
+/// The resolved case as TOML, every key with its value: what the run folder's case.toml and the checkpoint hold.
+/// read_case of it gives equal options.
 std::string to_toml(const Options& options);
 
-/// Keys that differ between two resolved cases, apart from those that may change on resuming (output.*, time.end): "section.key: a -> b".
+/// Keys that differ between two resolved cases, apart from those that may change on resuming (output.*, time.end):
+/// "section.key: a -> b".
 std::vector<std::string> differing_keys(std::string_view resolved_a, std::string_view resolved_b);
 
 /// Every key with type, unit, default, range and sentence: for `corticle schema` (text) and the docs page (Markdown).

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/io/color_map.hpp"
 #include "corticle/io/display.hpp"
+#include "corticle/io/material_section.hpp"
 #include "corticle/io/picture_window.hpp"
 #include "corticle/io/pictures.hpp"
-#include "corticle/io/plane_section.hpp"
 
 #include <fmt/format.h>
 
@@ -55,7 +55,7 @@ PixelGrid pixel_grid(std::span<const Vec3> points, const Plane& plane, double ha
 }
 
 /// Colours each pixel by the value of its particle; white where there is none.
-vtkNew<vtkImageData> colored_image(const PixelGrid& grid, std::span<const std::int32_t> nearest,
+vtkNew<vtkImageData> colored_image(const PixelGrid& grid, std::span<const std::int32_t> particles,
                                    std::span<const double> values, const ColorScale& scale)
 {
     vtkNew<vtkImageData> image;
@@ -63,11 +63,12 @@ vtkNew<vtkImageData> colored_image(const PixelGrid& grid, std::span<const std::i
     image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
     auto* pixels = static_cast<unsigned char*>(image->GetScalarPointer());
     const double span = scale.high > scale.low ? scale.high - scale.low : 1.0;
-    for (std::size_t i = 0; i < nearest.size(); ++i)
+    for (std::size_t i = 0; i < particles.size(); ++i)
     {
         const Color color =
-            nearest[i] < 0 ? Color{1, 1, 1}
-                           : map_color(scale.map, (values[static_cast<std::size_t>(nearest[i])] - scale.low) / span);
+            particles[i] < 0
+                ? Color{1, 1, 1}
+                : map_color(scale.map, (values[static_cast<std::size_t>(particles[i])] - scale.low) / span);
         for (std::size_t k = 0; k < 3; ++k)
         {
             pixels[3 * i + k] = static_cast<unsigned char>(std::lround(255.0 * color[k]));
@@ -125,19 +126,18 @@ std::string caption_of(const Plane& plane)
 
 } // namespace
 
-void render_cut(const std::filesystem::path& png, std::span<const Vec3> particles, std::span<const double> theta,
-                std::span<const double> scalar, std::span<const Vec3> surface_points,
-                std::span<const Triangle> triangles, const ColorScale& scale, int axis, double coordinate,
+void render_cut(const std::filesystem::path& png, const CutInput& input, const ColorScale& scale,
                 const std::string& title, double half_width)
 {
-    assert(!surface_points.empty() && theta.size() == particles.size() && scalar.size() == particles.size());
-    assert(axis >= 0 && axis < 3);
+    assert(input.origins.size() == input.positions.size() && input.F.size() == input.positions.size());
+    assert(input.theta.size() == input.positions.size() && input.scalar.size() == input.positions.size());
+    assert(!input.surface_points.empty() && input.axis >= 0 && input.axis < 3);
     require_display(png);
     const QuietVtk quiet;
-    const Plane plane{axis, coordinate};
-    const PixelGrid grid = pixel_grid(surface_points, plane, half_width);
-    const std::vector<Segment> outline = section_outline(surface_points, triangles, plane);
-    const std::vector<std::int32_t> nearest = nearest_particles(particles, plane, grid, inside_mask(outline, grid));
+    const Plane plane{input.axis, input.coordinate};
+    const PixelGrid grid = pixel_grid(input.surface_points, plane, half_width);
+    const std::vector<Segment> outline = section_outline(input.surface_points, input.triangles, plane);
+    const std::vector<std::int32_t> shown = material_particles(input, grid, inside_mask(outline, grid));
 
     vtkNew<vtkRenderWindow> window;
     set_up_window(window, picture_width, picture_height);
@@ -146,13 +146,13 @@ void render_cut(const std::filesystem::path& png, std::span<const Vec3> particle
     window->AddRenderer(renderer);
     const auto add_panel = [&](std::span<const double> values, const ColorScale& colors, int left)
     {
-        const vtkNew<vtkImageData> image = colored_image(grid, nearest, values, colors);
+        const vtkNew<vtkImageData> image = colored_image(grid, shown, values, colors);
         draw_outline(image, outline, grid);
         add_image(renderer, image, left, panel_bottom);
         add_color_bar(renderer, colors, left + panel_width + bar_gap, panel_bottom + 100, panel_height - 200);
     };
-    add_panel(theta, {"cortex fraction [-]", 0.0, 1.0, "tissue"}, theta_left);
-    add_panel(scalar, scale, scalar_left);
+    add_panel(input.theta, {"cortex fraction [-]", 0.0, 1.0, "tissue"}, theta_left);
+    add_panel(input.scalar, scale, scalar_left);
     add_text(renderer, title, 0.5 * picture_width, picture_height - 30, {.size = 26, .is_bold = true});
     add_text(renderer, caption_of(plane), 0.5 * picture_width, 25, {.size = 20});
     save_picture(window, png);

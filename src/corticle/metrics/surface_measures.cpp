@@ -14,19 +14,21 @@ namespace corticle
 namespace
 {
 
-bool share_a_vertex(const Triangle& a, const Triangle& b)
+Vec3 area_vector(const TriangleMesh& mesh, const Triangle& corner)
 {
-    return std::any_of(a.begin(), a.end(),
-                       [&](std::int32_t corner) { return std::find(b.begin(), b.end(), corner) != b.end(); });
+    const Vec3 a = mesh.vertices[static_cast<std::size_t>(corner[0])];
+    return cross(mesh.vertices[static_cast<std::size_t>(corner[1])] - a,
+                 mesh.vertices[static_cast<std::size_t>(corner[2])] - a);
 }
 
-/// Distance from a point on a triangle to the nearest triangle that shares no vertex with it [mm].
-double distance_to_others(const Vec3& point, const Triangle& own, const TriangleMesh& mesh)
+/// Distance from a point of a covered triangle to the nearest part of the surface that faces it [mm]: its own sheet
+/// faces the same way and does not count.
+double distance_to_pierced(const Vec3& point, const Vec3& normal, const TriangleMesh& mesh)
 {
     double smallest = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < mesh.triangles.size(); ++k)
     {
-        if (!share_a_vertex(own, mesh.triangles[k]))
+        if (dot(area_vector(mesh, mesh.triangles[k]), normal) < 0.0)
         {
             const auto triangle = static_cast<std::int32_t>(k);
             smallest = std::min(smallest, closest_point_of_triangle(mesh, triangle, point).squared_distance);
@@ -81,7 +83,7 @@ Overlap measure_overlap(std::span<const Vec3> vertices, std::span<const Triangle
                 if (tree.winding_number(centroid + probe_distance * normalized(normal)) != 0)
                 {
                     part.covered += area;
-                    part.deepest = std::max(part.deepest, distance_to_others(centroid, triangles[k], tree.mesh()));
+                    part.deepest = std::max(part.deepest, distance_to_pierced(centroid, normal, tree.mesh()));
                 }
             }
             return part;

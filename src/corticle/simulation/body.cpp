@@ -4,7 +4,6 @@
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
 #include "corticle/cloud/fill.hpp"
-#include "corticle/cloud/quality.hpp"
 #include "corticle/config/parameters.hpp"
 #include "corticle/geometry/shapes.hpp"
 #include "corticle/geometry/validate.hpp"
@@ -51,11 +50,13 @@ void set_tissue(const Options& options, const SurfaceTree& tree, Body& body)
     tissue.depth.resize(count);
     tissue.normal.resize(count);
     tissue.regional_rate.assign(count, 1.0);
+    tissue.cell_width.resize(count);
     parallel_for(static_cast<std::int64_t>(count),
                  [&](std::int64_t signed_i)
                  {
                      const auto i = static_cast<std::size_t>(signed_i);
                      const SurfacePoint nearest = tree.closest(body.cloud.positions[i]);
+                     tissue.cell_width[i] = std::cbrt(body.cloud.volumes[i]);
                      tissue.depth[i] = std::sqrt(nearest.squared_distance);
                      tissue.normal[i] = tree.interpolated_normal(nearest);
                  });
@@ -65,7 +66,8 @@ void set_tissue(const Options& options, const SurfaceTree& tree, Body& body)
     }
     if (options.tissue.layer == Layer::binary && options.tissue.lambda > 0.0)
     {
-        tissue.theta = ellipsoid_layer(body.cloud.positions, semi_axes(options.geometry), options.tissue.lambda);
+        tissue.theta = ellipsoid_layer(body.cloud.positions, tissue.cell_width, semi_axes(options.geometry),
+                                       options.tissue.lambda);
     }
     else
     {
@@ -92,16 +94,6 @@ double estimated_memory(double particles, double neighbors)
     constexpr double bytes_per_pair = 8.0;
     constexpr double bytes_per_particle = 900.0;
     return 80e6 + particles * (bytes_per_particle + 2.0 * neighbors * bytes_per_pair);
-}
-
-double input_volume(const Options& options)
-{
-    if (options.geometry.shape != "file")
-    {
-        return ellipsoid_volume(semi_axes(options.geometry));
-    }
-    const TriangleMesh surface = read_input_surface(options.geometry);
-    return enclosed_volume(surface.vertices, surface.triangles);
 }
 
 Resolution resolve_resolution(const Options& options, double volume_mm3)

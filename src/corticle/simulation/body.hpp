@@ -16,7 +16,6 @@ struct PreparationReport
     std::int64_t input_vertices = 0; ///< of the surface file; 0 for built-in shapes
     RemeshReport remesh;
     VisibilityReport visibility;
-    double closest_pair_in_spacings = 0.0;
     double neighbors_mean = 0.0;
     std::vector<std::string> warnings; ///< one line each
 };
@@ -39,9 +38,6 @@ struct Resolution
 };
 /// @throws InputError when it gives fewer than 500 or more than 100 million particles, or more than memory holds
 Resolution resolve_resolution(const Options& options, double volume_mm3);
-
-/// Surface of the case before remeshing: built-in shape (at the given spacing) or file; and its volume [mm³].
-double input_volume(const Options& options);
 
 /// From the options to a body ready to fold. @throws InputError
 Body prepare_body(const Options& options);

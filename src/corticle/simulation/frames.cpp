@@ -81,15 +81,16 @@ std::vector<double> on_surface(const Cloud& cloud, std::span<const double> value
 Frame make_frame(const Simulation& simulation, std::span<const Mat3> F, std::string name)
 {
     const Cloud& cloud = simulation.body().cloud;
-    Frame frame{simulation.state().t,
-                std::move(name),
-                simulation.state().motion.x,
-                simulation.body().tissue.theta,
-                {},
-                simulation.surface_positions(),
-                cloud.surface_triangles,
-                {},
-                {}};
+    Frame frame;
+    frame.t = simulation.state().t;
+    frame.name = std::move(name);
+    frame.particles = simulation.state().motion.x;
+    frame.origins = cloud.positions;
+    frame.F.assign(F.begin(), F.end());
+    frame.spacing = mean_spacing(cloud.volumes);
+    frame.theta = simulation.body().tissue.theta;
+    frame.surface = simulation.surface_positions();
+    frame.triangles = cloud.surface_triangles;
     std::vector<double> J;
     for (std::size_t i = 0; i < F.size(); ++i)
     {

@@ -8,8 +8,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
+#include <numeric>
 
 namespace corticle
 {
@@ -30,8 +32,11 @@ ColorScale robust_scale(std::string label, std::span<const double> values, std::
     return {std::move(label), low, high, std::move(map)};
 }
 
-const std::vector<double>& field(const std::vector<std::pair<std::string, std::vector<double>>>& fields,
-                                 const std::string& name, const std::filesystem::path& file)
+using Fields = std::vector<std::pair<std::string, std::vector<double>>>;
+
+/// An array of `components` values for each of `count` points.
+const std::vector<double>& field(const Fields& fields, const std::string& name, std::size_t components,
+                                 std::size_t count, const std::filesystem::path& file)
 {
     const auto found =
         std::find_if(fields.begin(), fields.end(), [&](const auto& entry) { return entry.first == name; });
@@ -39,7 +44,59 @@ const std::vector<double>& field(const std::vector<std::pair<std::string, std::v
     {
         throw InputError(fmt::format("{}: no array named {}", file.string(), name));
     }
+    if (found->second.size() != components * count)
+    {
+        throw InputError(fmt::format("{}: array {} holds {} values; expected {} for each of {} points", file.string(),
+                                     name, found->second.size(), components, count));
+    }
     return found->second;
+}
+
+std::vector<Mat3> matrices(std::span<const double> by_rows)
+{
+    std::vector<Mat3> result(by_rows.size() / 9);
+    for (std::size_t i = 0; i < by_rows.size(); ++i)
+    {
+        result[i / 9](static_cast<int>(i % 9 / 3), static_cast<int>(i % 3)) = by_rows[i];
+    }
+    return result;
+}
+
+/// A frame from its files; their names end in "_NAME.vtp" and "_NAME.vtu".
+Frame read_frame(double t, const std::filesystem::path& surface_file, const std::filesystem::path& particle_file)
+{
+    const SurfaceFile surface = read_surface_vtp(surface_file);
+    const ParticleFile cloud = read_particles_vtu(particle_file);
+    const auto of_surface = [&](const std::string& name) -> const std::vector<double>&
+    { return field(surface.fields, name, 1, surface.mesh.vertices.size(), surface_file); };
+    const auto of_particles = [&](const std::string& name, std::size_t components) -> const std::vector<double>&
+    { return field(cloud.fields, name, components, cloud.points.size(), particle_file); };
+    const std::string stem = surface_file.stem().string();
+    Frame frame;
+    frame.t = t;
+    frame.name = stem.substr(stem.rfind('_') + 1);
+    frame.particles = cloud.points;
+    const std::vector<double>& displacement = of_particles("displacement", 3);
+    for (std::size_t i = 0; i < cloud.points.size(); ++i)
+    {
+        frame.origins.push_back(cloud.points[i] -
+                                Vec3{displacement[3 * i], displacement[3 * i + 1], displacement[3 * i + 2]});
+    }
+    frame.F = matrices(of_particles("F", 9));
+    frame.spacing = mean_spacing(of_particles("volume", 1));
+    frame.theta = of_particles("theta", 1);
+    frame.particle_growth = of_particles("growth", 1);
+    frame.surface = surface.mesh.vertices;
+    frame.triangles = surface.mesh.triangles;
+    frame.surface_J = of_surface("J");
+    frame.surface_growth = of_surface("growth");
+    if (!(frame.spacing > 0.0) || !std::isfinite(frame.spacing))
+    {
+        throw InputError(
+            fmt::format("{}: the mean of array volume is not positive; expected volumes of particles [mm³]",
+                        particle_file.string()));
+    }
+    return frame;
 }
 
 std::string read_text(const std::filesystem::path& file)
@@ -54,6 +111,11 @@ std::string read_text(const std::filesystem::path& file)
 
 } // namespace
 
+double mean_spacing(std::span<const double> volumes)
+{
+    return std::cbrt(std::accumulate(volumes.begin(), volumes.end(), 0.0) / static_cast<double>(volumes.size()));
+}
+
 void render_frame(const std::filesystem::path& folder, const Frame& frame)
 {
     const std::filesystem::path pictures = folder / "pictures";
@@ -63,18 +125,20 @@ void render_frame(const std::filesystem::path& folder, const Frame& frame)
                    frame.surface_J, robust_scale("J = det F", frame.surface_J, "viridis"), title);
     render_surface(pictures / fmt::format("surface_growth_{}.png", frame.name), frame.surface, frame.triangles,
                    frame.surface_growth, robust_scale("growth g", frame.surface_growth, "viridis"), title);
-    double low = frame.surface.front().x;
-    double high = low;
-    for (const Vec3& x : frame.surface)
-    {
-        low = std::min(low, x.x);
-        high = std::max(high, x.x);
-    }
-    // Slightly off the middle: a brain's midline would cut its fissure along its length.
-    const double middle = low + 0.46 * (high - low);
-    render_cut(pictures / fmt::format("cut_{}.png", frame.name), frame.particles, frame.theta, frame.particle_growth,
-               frame.surface, frame.triangles, robust_scale("growth g", frame.particle_growth, "viridis"), 0, middle,
-               title);
+    const auto [back, front] = std::minmax_element(frame.surface.begin(), frame.surface.end(),
+                                                   [](const Vec3& a, const Vec3& b) { return a.y < b.y; });
+    const CutInput cut{.positions = frame.particles,
+                       .origins = frame.origins,
+                       .F = frame.F,
+                       .theta = frame.theta,
+                       .scalar = frame.particle_growth,
+                       .spacing = frame.spacing,
+                       .surface_points = frame.surface,
+                       .triangles = frame.triangles,
+                       .axis = 1,
+                       .coordinate = 0.5 * (back->y + front->y)};
+    render_cut(pictures / fmt::format("cut_{}.png", frame.name), cut,
+               robust_scale("growth g", frame.particle_growth, "viridis"), title);
 }
 
 void render_measures(const std::filesystem::path& folder, std::span<const Measures> rows)
@@ -125,15 +189,7 @@ void render_run(const std::filesystem::path& folder)
     }
     for (std::size_t k = 0; k < surfaces.size(); ++k)
     {
-        const std::filesystem::path surface_file = folder / surfaces[k].second;
-        const std::filesystem::path particle_file = folder / particles[k].second;
-        const SurfaceFile surface = read_surface_vtp(surface_file);
-        const ParticleFile cloud = read_particles_vtu(particle_file);
-        const std::string stem = surface_file.stem().string();
-        render_frame(folder, {surfaces[k].first, stem.substr(stem.rfind('_') + 1), cloud.points,
-                              field(cloud.fields, "theta", particle_file), field(cloud.fields, "growth", particle_file),
-                              surface.mesh.vertices, surface.mesh.triangles, field(surface.fields, "J", surface_file),
-                              field(surface.fields, "growth", surface_file)});
+        render_frame(folder, read_frame(surfaces[k].first, folder / surfaces[k].second, folder / particles[k].second));
     }
     render_measures(folder, rows);
 }

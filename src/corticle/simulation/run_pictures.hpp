@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "corticle/base/mat3.hpp"
 #include "corticle/geometry/triangle_mesh.hpp"
 #include "corticle/simulation/measures.hpp"
 
@@ -15,6 +16,9 @@ struct Frame
     double t = 0.0;
     std::string name;                    ///< "0007": part of every file name of the frame
     std::vector<Vec3> particles;         ///< current positions [mm]
+    std::vector<Vec3> origins;           ///< reference positions of the particles [mm]
+    std::vector<Mat3> F;                 ///< deformation gradients of the particles [-]
+    double spacing = 0.0;                ///< of the particles in the reference configuration [mm]
     std::vector<double> theta;           ///< [-]
     std::vector<double> particle_growth; ///< g [-]
     std::vector<Vec3> surface;           ///< current positions of the surface vertices [mm]
@@ -23,7 +27,11 @@ struct Frame
     std::vector<double> surface_growth;
 };
 
-/// Pictures of one frame: surface by J and by growth, cut through the middle. `folder` is the run folder.
+/// Edge of a cube of the mean volume [mm]; not a number where there are no volumes [mm³].
+double mean_spacing(std::span<const double> volumes);
+
+/// Pictures of one frame: surface by J and by growth, cut through the middle across y (coronal where x points to the
+/// right and y to the front). `folder` is the run folder.
 void render_frame(const std::filesystem::path& folder, const Frame& frame);
 
 /// Plot of the measures against t.

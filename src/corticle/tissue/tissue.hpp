@@ -16,6 +16,7 @@ namespace corticle
 struct Tissue
 {
     TissueOptions options;
+    std::vector<double> cell_width;    ///< cube root of the reference volume [mm]
     std::vector<double> depth;         ///< y, reference distance to the surface [mm]
     std::vector<Vec3> normal;          ///< n, unit, reference
     std::vector<double> regional_rate; ///< m [-]
@@ -42,9 +43,11 @@ inline MaterialPoint material_point(const TissueOptions& options, double theta, 
             options.bulk == BulkRule::per_tissue ? options.bulk_modulus * mu : options.bulk_modulus};
 }
 
-/// Binary cortex of an ellipsoid (thesis eq. 24): 1 where sum_k (X_k / r_k)² >= lambda, else 0.
-std::vector<double> ellipsoid_layer(std::span<const Vec3> positions, const std::array<double, 3>& semi_axes,
-                                    double lambda);
+/// Binary cortex of an ellipsoid (thesis eq. 24), sum_k (X_k / r_k)² >= lambda: the share of each particle's cell in
+/// it.
+/// @param cell_width  [mm], one per particle
+std::vector<double> ellipsoid_layer(std::span<const Vec3> positions, std::span<const double> cell_width,
+                                    const std::array<double, 3>& semi_axes, double lambda);
 
 /// Pressure-wave speed of the white matter at density 1: sqrt(K + 4 mu / 3).
 double wave_speed(const TissueOptions& options);
