@@ -9,8 +9,10 @@ namespace corticle
 {
 
 /// Calls `write(path)` with a temporary name beside `file`, flushes what it wrote to disk and renames it to `file`:
-/// the file appears whole or not at all. On failure the temporary is removed and RunError names the file and the reason.
-void write_atomically(const std::filesystem::path& file, const std::function<void(const std::filesystem::path&)>& write);
+/// the file appears whole or not at all. On failure the temporary is removed and RunError names the file and the
+/// reason.
+void write_atomically(const std::filesystem::path& file,
+                      const std::function<void(const std::filesystem::path&)>& write);
 
 /// The same for text already in memory.
 void write_text_atomically(const std::filesystem::path& file, std::string_view text);

@@ -25,7 +25,8 @@ struct Checkpoint
 /// @throws RunError naming the file and the reason (disk full, no permission).
 void write_checkpoint(const std::filesystem::path& file, const Checkpoint& checkpoint);
 
-/// @throws InputError, one line naming the file, when it is missing, truncated, damaged (a checksum over all data is kept) or not one of ours.
+/// @throws InputError, one line naming the file, when it is missing, truncated, damaged (a checksum over all data is
+/// kept) or not one of ours.
 Checkpoint read_checkpoint(const std::filesystem::path& file);
 
 } // namespace corticle

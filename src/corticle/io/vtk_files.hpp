@@ -12,12 +12,12 @@ namespace corticle
 
 /// Writes a surface with point fields as .vtp (binary, compressed). The file appears whole or not at all.
 /// @throws RunError when it cannot be written (disk full, no permission), naming the file.
-void write_surface_vtp(const std::filesystem::path& file, std::span<const Vec3> points, std::span<const Triangle> triangles,
-                       std::span<const Field> point_fields);
+void write_surface_vtp(const std::filesystem::path& file, std::span<const Vec3> points,
+                       std::span<const Triangle> triangles, std::span<const Field> point_fields);
 
 /// Writes particles as .vtu, one vertex cell each, with point fields; `ids` becomes the integer array "id".
-void write_particles_vtu(const std::filesystem::path& file, std::span<const Vec3> points, std::span<const std::int32_t> ids,
-                         std::span<const Field> point_fields);
+void write_particles_vtu(const std::filesystem::path& file, std::span<const Vec3> points,
+                         std::span<const std::int32_t> ids, std::span<const Field> point_fields);
 
 /// Writes the ParaView time series: (time, file name relative to the .pvd).
 void write_pvd(const std::filesystem::path& file, std::span<const std::pair<double, std::string>> frames);

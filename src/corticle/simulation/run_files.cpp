@@ -22,6 +22,12 @@ namespace fs = std::filesystem;
 constexpr double same_time = 1e-9;
 constexpr std::int64_t default_pictures = 5;
 
+/// What a process that was killed left of a file it was writing aside.
+bool is_leftover(const fs::path& file)
+{
+    return file.filename().string().starts_with('.') && file.extension() == ".tmp";
+}
+
 bool belongs_to_a_run(const fs::path& file)
 {
     const std::string name = file.filename().string();
@@ -30,6 +36,29 @@ bool belongs_to_a_run(const fs::path& file)
     return name == "case.toml" || name == "summary.json" || name == "measures.csv" || name == "checkpoint.h5" ||
            name == "run.log" || name == "surface.pvd" || name == "particles.pvd" || is("surface_", ".vtp") ||
            is("particles_", ".vtu") || is("surface_", ".png") || is("cut_", ".png") || name == "measures.png";
+}
+
+template <class Chosen>
+void remove_files(const fs::path& folder, Chosen&& chosen)
+{
+    for (const fs::path& place : {folder, folder / "pictures"})
+    {
+        std::vector<fs::path> files;
+        if (fs::is_directory(place))
+        {
+            for (const auto& item : fs::directory_iterator(place))
+            {
+                if (item.is_regular_file() && chosen(item.path()))
+                {
+                    files.push_back(item.path());
+                }
+            }
+        }
+        for (const fs::path& file : files)
+        {
+            fs::remove(file);
+        }
+    }
 }
 
 std::size_t nearest(std::span<const double> times, double t)
@@ -82,27 +111,14 @@ std::optional<Checkpoint> find_checkpoint(const RunRequest& request, const std::
     return checkpoint;
 }
 
+void remove_leftovers(const fs::path& folder)
+{
+    remove_files(folder, is_leftover);
+}
+
 void remove_run(const fs::path& folder)
 {
-    for (const fs::path& place : {folder, folder / "pictures"})
-    {
-        if (!fs::is_directory(place))
-        {
-            continue;
-        }
-        std::vector<fs::path> files;
-        for (const auto& item : fs::directory_iterator(place))
-        {
-            if (item.is_regular_file() && belongs_to_a_run(item.path()))
-            {
-                files.push_back(item.path());
-            }
-        }
-        for (const fs::path& file : files)
-        {
-            fs::remove(file);
-        }
-    }
+    remove_files(folder, [](const fs::path& file) { return belongs_to_a_run(file) || is_leftover(file); });
 }
 
 std::vector<double> output_times(const Options& options)

@@ -21,6 +21,9 @@ std::optional<Checkpoint> find_checkpoint(const RunRequest& request, const std::
 /// Removes the files of an earlier run, and nothing else.
 void remove_run(const std::filesystem::path& folder);
 
+/// Removes what a killed process left half-written beside the files of a run.
+void remove_leftovers(const std::filesystem::path& folder);
+
 /// Output times of a run: 0, those asked for, and the end; ascending.
 std::vector<double> output_times(const Options& options);
 

@@ -231,6 +231,7 @@ RunStatus simulate(const RunRequest& request)
         remove_run(request.out);
     }
     create_folder(request.out);
+    remove_leftovers(request.out);
     write_text_atomically(request.out / "case.toml", case_text);
     const auto log = make_log(request.out, request.quiet);
     log->info("corticle {}, {} threads", CORTICLE_VERSION, thread_count());
