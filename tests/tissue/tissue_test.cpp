@@ -23,28 +23,33 @@ TEST(Layer, SmoothStepOfTheThesis)
     EXPECT_EQ(smooth_layer(1e6, 1.0), 0.0); // far inside: no NaN from the exponential
 }
 
-TEST(Layer, BinaryStep)
+TEST(Layer, SharpStepKeepsTheVolumeOfTheCortex)
 {
-    // The share of a cell of width 0.5 whose centre lies so far inside the boundary.
-    EXPECT_EQ(binary_layer(1.0, 0.5), 1.0);
-    EXPECT_EQ(binary_layer(0.25, 0.5), 1.0);
-    EXPECT_DOUBLE_EQ(binary_layer(0.125, 0.5), 0.75);
-    EXPECT_DOUBLE_EQ(binary_layer(0.0, 0.5), 0.5);
-    EXPECT_EQ(binary_layer(-0.25, 0.5), 0.0);
+    // Unit cells at depths 0.3, 0.9, 1.8 and 2.4 under a boundary at 1.5: of the second cell 1, of the third 0.2 lies
+    // inside, so 2.2 cells are cortex.
+    const std::vector<double> inside{1.2, -0.3, 0.6, -0.9};
+    const std::vector<double> cells(4, 1.0);
+    EXPECT_NEAR(volume_inside(inside, cells), 2.2, 1e-15);
+    const std::vector<double> theta = sharp_layer(inside, cells, 2.2);
+    EXPECT_EQ(theta[0], 1.0);
+    EXPECT_EQ(theta[2], 1.0);
+    EXPECT_NEAR(theta[1], 0.2, 1e-15);
+    EXPECT_EQ(theta[3], 0.0);
 }
 
 TEST(Layer, BinaryStepOfAnEllipsoid)
 {
-    // Sphere of the thesis: lambda = 0.75 puts the inner radius at 12.496 sqrt(0.75) = 10.8219 mm.
-    const std::vector<Vec3> radii{{0, 0, 0}, {10.821, 0, 0}, {0, 10.823, 0}, {0, 0, 12.496}};
-    const std::vector<double> narrow(6, 1e-3); // cells so narrow that the step is sharp
-    EXPECT_EQ(ellipsoid_layer(radii, narrow, {12.496, 12.496, 12.496}, 0.75), (std::vector<double>{0, 0, 1, 1}));
-    // On the axes of an ellipsoid the step lies at sqrt(lambda) of each semi-axis.
-    const std::vector<Vec3> points{{7.9, 0, 0}, {8.1, 0, 0}, {0, 3.9, 0}, {0, 4.1, 0}, {0, 0, 1.9}, {0, 0, 2.1}};
-    EXPECT_EQ(ellipsoid_layer(points, narrow, {16, 8, 4}, 0.25), (std::vector<double>{0, 1, 0, 1, 0, 1}));
-    // A wide cell a tenth of a millimetre outside the step: 0.5 + 0.1 / 0.5 of it is cortex.
-    const std::vector<Vec3> near_step{{8.1, 0, 0}};
-    EXPECT_NEAR(ellipsoid_layer(near_step, std::vector<double>{0.5}, {16, 8, 4}, 0.25)[0], 0.7, 1e-12);
+    // Cells of equal volume, half of which is cortex with lambda = 0.5^(2/3): the outer four of the eight, by the
+    // level sum (x/r)² and not by the distance from the centre.
+    const std::vector<Vec3> points{{1, 0, 0}, {15, 0, 0},  {0, 1, 0}, {0, 7.5, 0},
+                                   {0, 0, 1}, {0, 0, 3.7}, {9, 0, 0}, {0, 0, 3.5}};
+    const std::vector<double> theta =
+        ellipsoid_layer(points, std::vector<double>(8, 1.0), {16, 8, 4}, std::pow(0.5, 2.0 / 3.0));
+    const std::vector<double> expected{0, 1, 0, 1, 0, 1, 0, 1};
+    for (std::size_t i = 0; i < theta.size(); ++i)
+    {
+        EXPECT_NEAR(theta[i], expected[i], 1e-12) << i;
+    }
 }
 
 TEST(Tissue, ThicknessFollowsItsRate)
@@ -54,7 +59,7 @@ TEST(Tissue, ThicknessFollowsItsRate)
     tissue.options.thickness_mm = 1.5;
     tissue.options.thickness_rate_mm = 0.8;
     tissue.depth = {0.0, 1.5, 1.9, 2.3};
-    tissue.cell_width.assign(4, 1e-3);
+    tissue.volume.assign(4, 1e-9);
     tissue.set_layer(0.5); // H = 1.9
     for (std::size_t i = 0; i < tissue.depth.size(); ++i)
     {
@@ -62,9 +67,11 @@ TEST(Tissue, ThicknessFollowsItsRate)
     }
     tissue.options.layer = Layer::binary;
     tissue.set_layer(0.0);
-    EXPECT_EQ(tissue.theta, (std::vector<double>{1, 0.5, 0, 0}));
+    EXPECT_NEAR(tissue.theta[1], 0.5, 1e-9); // its cell is cut in half
+    EXPECT_EQ(tissue.theta[0] + tissue.theta[2] + tissue.theta[3], 1.0);
     tissue.set_layer(0.6); // H = 1.98
-    EXPECT_EQ(tissue.theta, (std::vector<double>{1, 1, 1, 0}));
+    EXPECT_NEAR(tissue.theta[2], 1.0, 1e-9);
+    EXPECT_EQ(tissue.theta[3], 0.0);
 }
 
 TEST(Tissue, BothBulkRules)

@@ -50,13 +50,12 @@ void set_tissue(const Options& options, const SurfaceTree& tree, Body& body)
     tissue.depth.resize(count);
     tissue.normal.resize(count);
     tissue.regional_rate.assign(count, 1.0);
-    tissue.cell_width.resize(count);
+    tissue.volume = body.cloud.volumes;
     parallel_for(static_cast<std::int64_t>(count),
                  [&](std::int64_t signed_i)
                  {
                      const auto i = static_cast<std::size_t>(signed_i);
                      const SurfacePoint nearest = tree.closest(body.cloud.positions[i]);
-                     tissue.cell_width[i] = std::cbrt(body.cloud.volumes[i]);
                      tissue.depth[i] = std::sqrt(nearest.squared_distance);
                      tissue.normal[i] = tree.interpolated_normal(nearest);
                  });
@@ -66,8 +65,8 @@ void set_tissue(const Options& options, const SurfaceTree& tree, Body& body)
     }
     if (options.tissue.layer == Layer::binary && options.tissue.lambda > 0.0)
     {
-        tissue.theta = ellipsoid_layer(body.cloud.positions, tissue.cell_width, semi_axes(options.geometry),
-                                       options.tissue.lambda);
+        tissue.theta =
+            ellipsoid_layer(body.cloud.positions, tissue.volume, semi_axes(options.geometry), options.tissue.lambda);
     }
     else
     {

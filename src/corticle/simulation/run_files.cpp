@@ -95,20 +95,32 @@ void require_usable_folder(const RunRequest& request)
 
 std::optional<Checkpoint> find_checkpoint(const RunRequest& request, const std::string& case_text)
 {
-    const fs::path file = request.out / "checkpoint.h5";
-    if (!request.resume || !fs::exists(file))
+    if (!request.resume)
     {
         return std::nullopt;
     }
-    Checkpoint checkpoint = read_checkpoint(file);
-    const std::vector<std::string> differences = differing_keys(checkpoint.case_text, case_text);
-    if (!differences.empty())
+    const auto require_same_case = [&](const std::string& earlier, std::string_view where)
     {
-        throw InputError(
-            fmt::format("--resume {}: the case differs from that of the checkpoint in {}; expected the same case",
-                        request.out.string(), fmt::join(differences, ", ")));
+        const std::vector<std::string> differences = differing_keys(earlier, case_text);
+        if (!differences.empty())
+        {
+            throw InputError(fmt::format("--resume {}: the case differs from that of {} in {}; expected the same case",
+                                         request.out.string(), where, fmt::join(differences, ", ")));
+        }
+    };
+    const fs::path file = request.out / "checkpoint.h5";
+    const fs::path case_file = request.out / "case.toml";
+    if (fs::exists(file))
+    {
+        Checkpoint checkpoint = read_checkpoint(file);
+        require_same_case(checkpoint.case_text, "the checkpoint");
+        return checkpoint;
     }
-    return checkpoint;
+    if (fs::exists(case_file)) // stopped before its first checkpoint: starts again, but only if it is the same run
+    {
+        require_same_case(to_toml(read_case(case_file, {})), "its case.toml");
+    }
+    return std::nullopt;
 }
 
 void remove_leftovers(const fs::path& folder)

@@ -16,7 +16,7 @@ namespace corticle
 struct Tissue
 {
     TissueOptions options;
-    std::vector<double> cell_width;    ///< cube root of the reference volume [mm]
+    std::vector<double> volume;        ///< reference volume [mm³]
     std::vector<double> depth;         ///< y, reference distance to the surface [mm]
     std::vector<Vec3> normal;          ///< n, unit, reference
     std::vector<double> regional_rate; ///< m [-]
@@ -43,10 +43,9 @@ inline MaterialPoint material_point(const TissueOptions& options, double theta, 
             options.bulk == BulkRule::per_tissue ? options.bulk_modulus * mu : options.bulk_modulus};
 }
 
-/// Binary cortex of an ellipsoid (thesis eq. 24), sum_k (X_k / r_k)² >= lambda: the share of each particle's cell in
-/// it.
-/// @param cell_width  [mm], one per particle
-std::vector<double> ellipsoid_layer(std::span<const Vec3> positions, std::span<const double> cell_width,
+/// Binary cortex of an ellipsoid (thesis eq. 24), sum_k (X_k / r_k)² >= lambda.
+/// @param volume  [mm³], one per particle
+std::vector<double> ellipsoid_layer(std::span<const Vec3> positions, std::span<const double> volume,
                                     const std::array<double, 3>& semi_axes, double lambda);
 
 /// Pressure-wave speed of the white matter at density 1: sqrt(K + 4 mu / 3).
