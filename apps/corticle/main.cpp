@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <filesystem>
 
 #include <cstdio>
 #include <functional>
@@ -163,10 +164,12 @@ int flushed(int status)
 /// runs ten times slower. OpenMP reads its environment before main, so the command starts itself once more.
 void sleep_at_barriers(char** argv)
 {
-    if (std::getenv("OMP_WAIT_POLICY") == nullptr && std::getenv("GOMP_SPINCOUNT") == nullptr)
+    std::error_code error;
+    const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
+    if (!error && std::getenv("OMP_WAIT_POLICY") == nullptr && std::getenv("GOMP_SPINCOUNT") == nullptr)
     {
         setenv("GOMP_SPINCOUNT", "20000", 0);
-        execv("/proc/self/exe", argv); // where it fails, the command just goes on
+        execv(self.c_str(), argv); // where it fails, the command just goes on
     }
 }
 

@@ -91,8 +91,9 @@ double cortex_thickness(const Options& options)
 double estimated_memory(double particles, double neighbors)
 {
     constexpr double bytes_per_pair = 8.0;
-    constexpr double bytes_per_particle = 900.0;
-    return 80e6 + particles * (bytes_per_particle + 2.0 * neighbors * bytes_per_pair);
+    constexpr double bytes_per_particle = 650.0;
+    constexpr double base = 360e6; // the program and its picture library
+    return base + particles * (bytes_per_particle + 2.0 * neighbors * bytes_per_pair);
 }
 
 Resolution resolve_resolution(const Options& options, double volume_mm3)
