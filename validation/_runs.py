@@ -15,6 +15,18 @@ ROOT = Path(__file__).resolve().parents[1]
 SKIPPED = 77
 HALF = 0.5
 STAMP = re.compile(r"^\[([^]]+)\] \[run\] \[info\] (.*)$")
+MOST_REJECTED_SHARE = 0.001
+
+
+def faults(result, most_overlap):
+    """What must not happen in a run, whatever the body and the resolution."""
+    name = f"{result['particles']} particles"
+    if result["most_overlap"] > most_overlap:
+        yield f"{name}: overlap up to {result['most_overlap']}, expected at most {most_overlap}"
+    if result["rejected_steps"] > MOST_REJECTED_SHARE * result["steps"]:
+        yield f"{name}: {result['rejected_steps']} rejected steps"
+    if result["least_J"] <= 0:
+        yield f"{name}: J down to {result['least_J']}"
 
 
 def parse_arguments(description, sizes, add=None):

@@ -28,7 +28,6 @@ LEAST_SHARE = 0.02       # of the power, for a degree's growth to be told from n
 ONSET_T = (0.241, 0.27)  # of the finest run: not before theory; imperfections are small and must first grow
 FASTEST_DEGREE = (7, 10) # of the finest run: 8 to 9, and one more or less, for their neighbours grow nearly as fast
 MOST_OVERLAP = 0.001
-MOST_REJECTED_SHARE = 0.001
 
 
 def spectrum(folder, t):
@@ -76,13 +75,7 @@ def fold_table(results):
 def differences(results):
     """What does not agree with theory, or must not happen at any resolution."""
     for result in results:
-        name = f"{result['particles']} particles"
-        if result["most_overlap"] > MOST_OVERLAP:
-            yield f"{name}: overlap up to {result['most_overlap']}, expected at most {MOST_OVERLAP}"
-        if result["rejected_steps"] > MOST_REJECTED_SHARE * result["steps"]:
-            yield f"{name}: {result['rejected_steps']} rejected steps"
-        if result["least_J"] <= 0:
-            yield f"{name}: J down to {result['least_J']}"
+        yield from _runs.faults(result, MOST_OVERLAP)
     finest = results[-1]
     for what, value, (low, high) in (("onset t", finest["onset_t"], ONSET_T),
                                      ("fastest-growing degree", finest["folds"]["fastest_degree"], FASTEST_DEGREE)):
