@@ -104,6 +104,23 @@ def interruption(bench):
     check_same(bench, "A", "D", "1 thread against 2", also_volatile=["threads"])
 
 
+def two_in_one_folder(bench):
+    """A folder that a run is writing to is not given to another."""
+    bench.write("case.toml", CASE.format(pictures="off"))
+    process = bench.start(*QUIET, "--out", "A")
+    seen = wait_for(process, (bench.folder / "A" / "surface_0000.vtp").exists, 120)
+    process.send_signal(signal.SIGSTOP)
+    try:
+        bench.check(seen, "the first run wrote nothing")
+        for how in ("--overwrite", "--resume"):
+            bench.refused([*QUIET, "--out", "A", how], ["--out A", "another process"])
+    finally:
+        process.send_signal(signal.SIGCONT)
+    status, errors = stop(process, signal.SIGTERM)
+    bench.check(status == 130, f"the first run: exit status {status}, expected 130; stderr {errors[-500:]!r}")
+    bench.accepted(*QUIET, "--out", "A", "--resume")
+
+
 def bad_checkpoints(bench):
     bench.write("case.toml", CASE.format(pictures="off").replace("0.5\n", "0.1\n"))
     bench.accepted(*QUIET, "--out", "A")
@@ -183,4 +200,4 @@ def full_disk(bench):
 
 
 if __name__ == "__main__":
-    _command.main(__doc__, kills, interruption, bad_checkpoints, file_size_limit, full_disk)
+    _command.main(__doc__, kills, interruption, two_in_one_folder, bad_checkpoints, file_size_limit, full_disk)

@@ -115,8 +115,7 @@ TEST(SphereMotion, EnergyBooksOfGrowthBalance)
     }
     const State& state = simulation.state();
     const double stored = simulation.internal().elastic_energy + simulation.internal().zero_mode_energy;
-    // Growth work is summed with the power at the start of each step: first order, some hundred steps.
-    EXPECT_NEAR((stored + state.kinetic_energy + state.books.dissipated) / state.books.growth_work, 1.0, 0.02);
+    EXPECT_NEAR((stored + state.kinetic_energy + state.books.dissipated) / state.books.growth_work, 1.0, 0.002);
     EXPECT_LT(state.kinetic_energy, 0.05 * stored);
 }
 

@@ -16,7 +16,7 @@ sys.path.insert(0, str(HERE.parent))
 import _runs  # noqa: E402
 
 SIZES = [60000, 250000]
-MOST_OVERLAP = 0.005
+MOST_OVERLAP = 0.001
 LEAST_RISE = 1.1 # of the hull index: sulci have formed
 
 

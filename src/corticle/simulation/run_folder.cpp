@@ -5,6 +5,7 @@
 #include "corticle/base/parallel.hpp"
 #include "corticle/config/case_file.hpp"
 #include "corticle/io/atomic_file.hpp"
+#include "corticle/io/folder_lock.hpp"
 #include "corticle/io/pictures.hpp"
 #include "corticle/simulation/frames.hpp"
 #include "corticle/simulation/interruption.hpp"
@@ -140,7 +141,7 @@ class Recorder
                    wall_before_ + session);
     }
 
-    void finish()
+    void draw_measures()
     {
         if (pictures_)
         {
@@ -217,6 +218,11 @@ RunStatus simulate(const RunRequest& request)
     set_thread_count(request.threads);
     const std::string case_text = to_toml(request.options);
     require_usable_folder(request);
+    std::optional<FolderLock> lock;
+    if (fs::exists(request.out))
+    {
+        lock.emplace(request.out);
+    }
     std::optional<Checkpoint> checkpoint = find_checkpoint(request, case_text);
     Body body = prepare_body(request.options);
     std::optional<Restored> restored;
@@ -226,11 +232,15 @@ RunStatus simulate(const RunRequest& request)
         checkpoint.reset();
     }
 
+    create_folder(request.out);
+    if (!lock)
+    {
+        lock.emplace(request.out);
+    }
     if (!restored)
     {
         remove_run(request.out);
     }
-    create_folder(request.out);
     remove_leftovers(request.out);
     write_text_atomically(request.out / "case.toml", case_text);
     const auto log = make_log(request.out, request.quiet);
@@ -248,12 +258,13 @@ RunStatus simulate(const RunRequest& request)
     }
     try
     {
-        if (!fold(simulation, recorder, request.options, request.quiet))
+        const bool completed = fold(simulation, recorder, request.options, request.quiet);
+        recorder.draw_measures();
+        if (!completed)
         {
             recorder.summarize(simulation, "interrupted");
             return RunStatus::interrupted;
         }
-        recorder.finish();
     }
     catch (const std::exception& error)
     {

@@ -12,7 +12,7 @@ namespace corticle
 struct EnergyBooks
 {
     double growth_work = 0.0; ///< put in by growth
-    double dissipated = 0.0;  ///< taken by damping, contact damping and travel limits
+    double dissipated = 0.0;  ///< taken by damping, contact damping, travel limits and changes of the contact stiffness
 };
 
 /// All that a checkpoint needs, besides the case: forces and step follow from it.
