@@ -21,7 +21,8 @@ inline constexpr int interrupted = 130;
 struct RunArguments
 {
     std::filesystem::path case_file;
-    std::filesystem::path out; ///< empty: runs/<stem of the case>
+    std::filesystem::path out;  ///< empty: runs/<stem of the case>
+    std::filesystem::path body; ///< prepared body, or the folder that holds it; empty: prepare it
     std::vector<std::string> overrides;
     int threads = 0; ///< 0: all cores
     bool resume = false;
@@ -29,6 +30,18 @@ struct RunArguments
     bool quiet = false;
 };
 int run_command(const RunArguments& arguments);
+
+struct PrepareArguments
+{
+    std::filesystem::path case_file;
+    std::filesystem::path out; ///< empty: prepared/<stem of the case>
+    std::vector<std::string> overrides;
+    int threads = 0; ///< 0: all cores
+    bool overwrite = false;
+    bool compare_thesis = false;
+    bool quiet = false;
+};
+int prepare_command(const PrepareArguments& arguments);
 
 struct NewArguments
 {

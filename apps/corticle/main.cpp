@@ -57,12 +57,30 @@ void add_run(CLI::App& app, Verb& chosen)
     CLI::App* verb = app.add_subcommand("run", "Run a case");
     verb->add_option("case", arguments->case_file, "Case to run")->type_name("CASE.toml")->required();
     verb->add_option("--out", arguments->out, "Run folder (default: runs/<name of the case>)")->type_name("DIR");
+    verb->add_option("--body", arguments->body, "Body made by prepare from the same [geometry] and [map], or its folder")
+        ->type_name("BODY");
     add_overrides(*verb, arguments->overrides);
     add_threads(*verb, arguments->threads);
     verb->add_flag("--resume", arguments->resume, "Continue the run in the folder from its checkpoint");
     verb->add_flag("--overwrite", arguments->overwrite, "Remove an earlier run in the folder first");
     verb->add_flag("--quiet", arguments->quiet, "Print nothing but errors");
     verb->callback([arguments, &chosen] { chosen = [arguments] { return run_command(*arguments); }; });
+}
+
+void add_prepare(CLI::App& app, Verb& chosen)
+{
+    auto arguments = std::make_shared<PrepareArguments>();
+    CLI::App* verb = app.add_subcommand("prepare", "Make the body of a case, and nothing else: report, files, pictures");
+    verb->add_option("case", arguments->case_file, "Case to prepare")->type_name("CASE.toml")->required();
+    verb->add_option("--out", arguments->out, "Folder for the body (default: prepared/<name of the case>)")
+        ->type_name("DIR");
+    add_overrides(*verb, arguments->overrides);
+    add_threads(*verb, arguments->threads);
+    verb->add_flag("--overwrite", arguments->overwrite, "Replace an earlier body in the folder");
+    verb->add_flag("--compare-thesis", arguments->compare_thesis,
+                   "Also measure the thesis's own choices beside the exact answer");
+    verb->add_flag("--quiet", arguments->quiet, "Print nothing but errors");
+    verb->callback([arguments, &chosen] { chosen = [arguments] { return prepare_command(*arguments); }; });
 }
 
 void add_new(CLI::App& app, Verb& chosen)
@@ -123,7 +141,7 @@ int dispatch(int argc, char** argv)
     app.require_subcommand(1);
     app.footer("Exit status: 0 done, 2 bad usage or input, 3 the run failed, 130 interrupted.");
     Verb chosen;
-    for (auto add : {add_run, add_new, add_check, add_schema, add_measure, add_render})
+    for (auto add : {add_run, add_prepare, add_new, add_check, add_schema, add_measure, add_render})
     {
         add(app, chosen);
     }
@@ -141,7 +159,7 @@ int dispatch(int argc, char** argv)
         if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(named).empty())
         {
             return complain("unknown verb \"" + std::string(argv[1]) +
-                                "\", expected run, new, check, schema, measure or render",
+                                "\", expected run, prepare, new, check, schema, measure or render",
                             exit_status::bad_input);
         }
         return complain(std::string(error.what()) + " (`corticle --help` shows the usage)", exit_status::bad_input);

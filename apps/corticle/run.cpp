@@ -14,6 +14,7 @@ int run_command(const RunArguments& arguments)
     RunRequest request;
     request.options = read_case(arguments.case_file, arguments.overrides);
     request.out = arguments.out.empty() ? std::filesystem::path("runs") / arguments.case_file.stem() : arguments.out;
+    request.body = std::filesystem::is_directory(arguments.body) ? arguments.body / "body.h5" : arguments.body;
     request.threads = arguments.threads;
     request.resume = arguments.resume;
     request.overwrite = arguments.overwrite;

@@ -126,12 +126,27 @@ TEST(BadCase, ShapesAndFiles)
     expect_parts(refusal("[geometry]\nshape = \"ellipsoid\"\nsemi_axes_mm = [100, 1, 1]\n"), {"ratio of 100"});
 }
 
+TEST(BadCase, KeysOfABodyFromAFile)
+{
+    expect_parts(refusal("[geometry]\nlabels = [2, 3]\n"), {"geometry.labels (case.toml:2)", "shape = \"file\""});
+    expect_parts(refusal("[geometry]\nlabels = [2.5]\n"), {"geometry.labels", "wrong type", "a list of integers"});
+    expect_parts(refusal("[geometry]\nhemisphere = \"left\"\n"), {"geometry.hemisphere", "sphere"});
+    expect_parts(refusal("[geometry]\nrepair = \"wrap\"\n"), {"geometry.repair", "sphere"});
+    expect_parts(refusal("[geometry]\nrepair = \"mend\"\n"), {"geometry.repair", "wrap"});
+    expect_parts(refusal("[geometry]\narrangement = \"thinned\"\n"), {"geometry.arrangement", "sphere"});
+}
+
+TEST(BadCase, Maps)
+{
+    expect_parts(refusal("[map]\nregion_file = \"a.csv\"\n"), {"map.region_file (case.toml:2)", "map.region_table"});
+    expect_parts(refusal("[map]\nregion_table = \"a.csv\"\n"), {"map.region_table (case.toml:2)", "map.region_file"});
+    expect_parts(refusal("[map]\ngrowth_file = 3\n"), {"map.growth_file", "a string"});
+    expect_parts(refusal("[map]\ngrowth_file = \"a\\u0000b\"\n"), {"map.growth_file", "expected a path"});
+}
+
 TEST(BadCase, Tissue)
 {
     expect_parts(refusal("[tissue]\nlambda = 0.5\n"), {"tissue.lambda (case.toml:2)", "binary"});
-    expect_parts(
-        refusal("[geometry]\nshape = \"file\"\nfile = \"a.stl\"\n[tissue]\nlayer = \"binary\"\nlambda = 0.5\n"),
-        {"tissue.lambda (case.toml:6)", "ellipsoid"});
     expect_parts(refusal("[tissue]\nthickness_rate_mm = -2\n"), {"thickness_rate_mm (case.toml:2)", "more than 0"});
 }
 

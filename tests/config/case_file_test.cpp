@@ -94,13 +94,23 @@ TEST(CaseFile, FilesAreRelativeToTheCaseOrToTheWorkingDirectory)
     EXPECT_EQ(parse(text, {"geometry.file=b.ply"}).geometry.file, std::filesystem::current_path() / "b.ply");
 }
 
+TEST(CaseFile, LabelsAreIntegersInAnyOrder)
+{
+    const std::string text = "[geometry]\nshape = \"file\"\nfile = \"a.nii\"\nlabels = [9, 2]\n";
+    EXPECT_EQ(parse(text).geometry.mask.labels, (std::vector<std::int64_t>{9, 2}));
+    EXPECT_EQ(parse(text, {"geometry.labels=[2,3,5,7,9]"}).geometry.mask.labels.size(), 5u);
+    EXPECT_EQ(parse("[map]\nstill_file = \"m.nii\"\n").map.still_file, "/cases/m.nii");
+}
+
 TEST(CaseFile, AResolvedCaseReadsBackEqual)
 {
     const Overrides changes[] = {
         {},
         {"geometry.spacing_mm=0.7", "tissue.alpha_t=0.1", "output.times=[0.1, 0.30000000000000004]"},
         {"geometry.shape=ellipsoid", "tissue.layer=binary", "tissue.lambda=0.6", "solver.cfl=1e-7"},
-        {"geometry.shape=file", "geometry.file=a \"quoted\" \\ name.stl", "geometry.unit=cm"},
+        {"geometry.shape=file", "geometry.file=a \"quoted\" \\ name.stl", "geometry.unit=cm", "geometry.repair=auto"},
+        {"geometry.shape=file", "geometry.file=a.nii", "geometry.labels=[3,2]", "geometry.image_volume=1"},
+        {"map.region_file=a.nii", "map.region_table=a.csv", "map.growth_array=m"},
     };
     for (const Overrides& overrides : changes)
     {
@@ -119,6 +129,14 @@ TEST(CaseFile, DifferingKeysLeaveOutWhatAResumeMayChange)
     EXPECT_EQ(differing_keys(a, c).size(), 2u);
 }
 
+TEST(CaseFile, ABodyDependsOnGeometryAndMapsAlone)
+{
+    const std::string a = to_toml(parse(""));
+    EXPECT_TRUE(differing_body_keys(a, to_toml(parse("", {"tissue.mu_white=2", "time.end=0.5"}))).empty());
+    EXPECT_EQ(differing_body_keys(a, to_toml(parse("", {"geometry.seed=7"}))),
+              (std::vector<std::string>{"geometry.seed: 1 -> 7"}));
+}
+
 TEST(CaseFile, StarterCasesAreValid)
 {
     for (const std::string shape : {"sphere", "ellipsoid", "file"})
@@ -134,6 +152,7 @@ TEST(CaseFile, ShippedCasesAreValid)
     const Overrides surface{"geometry.file=brain.stl"};
     EXPECT_EQ(read_case(case_path("brain.toml"), surface).geometry.particles, 60000);
     EXPECT_THROW(read_case(case_path("brain.toml"), {}), InputError);
+    EXPECT_THROW(read_case(case_path("segmentation.toml"), {}), InputError);
 }
 
 TEST(CaseFile, ExpectationsAreRanges)

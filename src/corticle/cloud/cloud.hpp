@@ -4,6 +4,7 @@
 #include "corticle/geometry/triangle_mesh.hpp"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace corticle
@@ -18,5 +19,8 @@ struct Cloud
     std::vector<Triangle> surface_triangles;     ///< vertices of each triangle, indices into surface_particles
     double spacing = 0.0;                        ///< mean distance between adjacent particles [mm]
 };
+
+/// The values of the particles on the surface, in the order of its vertices.
+std::vector<double> surface_values(const Cloud& cloud, std::span<const double> values);
 
 } // namespace corticle

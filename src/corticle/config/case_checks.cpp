@@ -30,7 +30,8 @@ void check_geometry(const GeometryOptions& geometry, const Place& place)
     }
     if (geometry.shape == "file" && geometry.file.empty())
     {
-        throw InputError(fmt::format("geometry.file{} is missing: got none, expected the path of a surface, as "
+        throw InputError(fmt::format("geometry.file{} is missing: got none, expected the path of a surface, label volume or tet "
+                                     "mesh, as "
                                      "geometry.shape{} is \"file\"",
                                      place("geometry.file"), place("geometry.shape")));
     }
@@ -46,6 +47,35 @@ void check_geometry(const GeometryOptions& geometry, const Place& place)
         throw InputError(fmt::format("geometry.semi_axes_mm{} is out of range: got a ratio of {:.3g}, expected at "
                                      "most {}",
                                      place("geometry.semi_axes_mm"), most / least, most_elongated));
+    }
+}
+
+/// Keys that only a body from a file has a use for.
+void check_file_keys(const GeometryOptions& geometry, const Place& place)
+{
+    const auto require_file = [&](std::string_view key, bool is_set)
+    {
+        if (is_set && geometry.shape != "file")
+        {
+            throw InputError(fmt::format("{}{} is given, but geometry.shape{} is \"{}\": expected shape = \"file\"", key,
+                                         place(key), place("geometry.shape"), geometry.shape));
+        }
+    };
+    require_file("geometry.labels", !geometry.mask.labels.empty());
+    require_file("geometry.image_volume", geometry.mask.volume.has_value());
+    require_file("geometry.hemisphere", geometry.mask.hemisphere != "both");
+    require_file("geometry.repair", geometry.repair != "none");
+    require_file("geometry.arrangement", geometry.arrangement != "body_fitted");
+}
+
+void check_maps(const MapOptions& map, const Place& place)
+{
+    if (map.region_file.empty() != map.region_table.empty())
+    {
+        const auto [given, missing] = map.region_file.empty() ? std::pair("map.region_table", "map.region_file")
+                                                              : std::pair("map.region_file", "map.region_table");
+        throw InputError(
+            fmt::format("{}{} is given without {}: expected both or neither", given, place(given), missing));
     }
 }
 
@@ -68,10 +98,10 @@ void check_particle_count(const GeometryOptions& geometry, const Place& place)
 void check_tissue(const Options& options, const Place& place)
 {
     const TissueOptions& tissue = options.tissue;
-    if (tissue.lambda > 0.0 && (tissue.layer != Layer::binary || options.geometry.shape == "file"))
+    if (tissue.lambda > 0.0 && tissue.layer != Layer::binary)
     {
         throw InputError(fmt::format("tissue.lambda{} is out of range: got {}, expected 0 unless tissue.layer is "
-                                     "\"binary\" and geometry.shape \"sphere\" or \"ellipsoid\"",
+                                     "\"binary\"",
                                      place("tissue.lambda"), tissue.lambda));
     }
     if (tissue.lambda > 0.0 && tissue.thickness_rate_mm != 0.0)
@@ -105,6 +135,8 @@ double shape_volume(const GeometryOptions& geometry)
 void check_case(const Options& options, const Place& place)
 {
     check_geometry(options.geometry, place);
+    check_file_keys(options.geometry, place);
+    check_maps(options.map, place);
     check_particle_count(options.geometry, place);
     check_tissue(options, place);
 }

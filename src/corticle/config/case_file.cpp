@@ -54,7 +54,7 @@ InputError unknown_section(const std::string& section, const std::string& where)
 {
     const std::string nearest = nearest_section(section);
     return InputError(fmt::format("unknown section [{}] ({}); {}", printable(section), where,
-                                  nearest.empty() ? "expected geometry, tissue, solver, contact, time, output or expect"
+                                  nearest.empty() ? "expected geometry, map, tissue, solver, contact, time, output or expect"
                                                   : "did you mean [" + nearest + "]?"));
 }
 
@@ -91,14 +91,14 @@ void CaseReader::assign_at(const std::string& key, const Value& value, const std
     }
     assign(options_, *parameter, value, where);
     places_[key] = where;
-    std::string& file = options_.geometry.file;
-    if (key == "geometry.file" && !file.empty())
+    const auto* text = std::get_if<std::string>(&value);
+    if (parameter->is_path && text != nullptr && !text->empty())
     {
-        if (file.find_first_of(std::string_view("\0\n\r", 3)) != std::string::npos)
+        if (text->find_first_of(std::string_view("\0\n\r", 3)) != std::string::npos)
         {
-            throw InputError(fmt::format("geometry.file ({}): got {}, expected a path", where, describe(value)));
+            throw InputError(fmt::format("{} ({}): got {}, expected a path", key, where, describe(value)));
         }
-        file = fs::absolute(base / file).lexically_normal().string();
+        parameter->set(options_, fs::absolute(base / *text).lexically_normal().string());
     }
 }
 
@@ -204,10 +204,34 @@ Options CaseReader::finish()
     return options_;
 }
 
-/// Sections and keys that a resumed run may change.
-bool may_change(const Parameter& parameter)
+/// Keys that a resumed run may not change.
+bool matters_to_a_run(const Parameter& parameter)
 {
-    return parameter.section() == "output" || parameter.key == "time.end";
+    return parameter.section() != "output" && parameter.key != "time.end";
+}
+
+bool matters_to_a_body(const Parameter& parameter)
+{
+    return parameter.section() == "geometry" || parameter.section() == "map";
+}
+
+std::vector<std::string> differing(std::string_view resolved_a, std::string_view resolved_b,
+                                   bool (*matters)(const Parameter&))
+{
+    const Options a = parse_case(resolved_a, "the first case", {}, "");
+    const Options b = parse_case(resolved_b, "the second case", {}, "");
+    const auto shown = [](const std::string& text) { return text.empty() ? std::string("not given") : text; };
+    std::vector<std::string> result;
+    for (const Parameter& parameter : parameters())
+    {
+        const std::string value_a = toml_text(parameter.get(a));
+        const std::string value_b = toml_text(parameter.get(b));
+        if (value_a != value_b && matters(parameter))
+        {
+            result.push_back(fmt::format("{}: {} -> {}", parameter.key, shown(value_a), shown(value_b)));
+        }
+    }
+    return result;
 }
 
 } // namespace
@@ -228,20 +252,12 @@ Options read_case(const fs::path& file, std::span<const std::string> overrides)
 
 std::vector<std::string> differing_keys(std::string_view resolved_a, std::string_view resolved_b)
 {
-    const Options a = parse_case(resolved_a, "the first case", {}, "");
-    const Options b = parse_case(resolved_b, "the second case", {}, "");
-    const auto shown = [](const std::string& text) { return text.empty() ? std::string("not given") : text; };
-    std::vector<std::string> result;
-    for (const Parameter& parameter : parameters())
-    {
-        const std::string value_a = toml_text(parameter.get(a));
-        const std::string value_b = toml_text(parameter.get(b));
-        if (value_a != value_b && !may_change(parameter))
-        {
-            result.push_back(fmt::format("{}: {} -> {}", parameter.key, shown(value_a), shown(value_b)));
-        }
-    }
-    return result;
+    return differing(resolved_a, resolved_b, matters_to_a_run);
+}
+
+std::vector<std::string> differing_body_keys(std::string_view resolved_a, std::string_view resolved_b)
+{
+    return differing(resolved_a, resolved_b, matters_to_a_body);
 }
 
 } // namespace corticle

@@ -10,7 +10,7 @@ namespace corticle
 {
 
 /// Reads a case (TOML) and then `overrides` ("section.key=value"); checks every key, type and range.
-/// `base_directory` resolves a relative geometry.file.  An [expect] table is allowed and ignored here.
+/// `base_directory` resolves relative paths. An [expect] table is allowed and ignored here.
 /// @throws InputError, one line: what, where (file and line, or --set), got, expected, nearest valid key.
 Options read_case(const std::filesystem::path& file, std::span<const std::string> overrides);
 
@@ -25,6 +25,9 @@ std::string to_toml(const Options& options);
 /// Keys that differ between two resolved cases, apart from those that may change on resuming (output.*, time.end):
 /// "section.key: a -> b".
 std::vector<std::string> differing_keys(std::string_view resolved_a, std::string_view resolved_b);
+
+/// The same for the keys that an arranged body depends on: those of [geometry] and [map].
+std::vector<std::string> differing_body_keys(std::string_view resolved_a, std::string_view resolved_b);
 
 /// Every key with type, unit, default, range and sentence: for `corticle schema` (text) and the docs page (Markdown).
 std::string schema_text();

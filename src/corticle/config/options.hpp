@@ -4,6 +4,7 @@
 #include "corticle/cloud/cloud_options.hpp"
 #include "corticle/contact/options.hpp"
 #include "corticle/dynamics/options.hpp"
+#include "corticle/imaging/options.hpp"
 #include "corticle/tissue/options.hpp"
 #include "corticle/tlsph/options.hpp"
 
@@ -23,11 +24,31 @@ struct GeometryOptions
     std::string shape = "sphere";                         ///< "sphere" | "ellipsoid" | "file"
     double radius_mm = 12.496;                            ///< sphere
     std::array<double, 3> semi_axes_mm{15.0, 12.0, 10.0}; ///< ellipsoid
-    std::string file;                                     ///< closed triangulated surface: STL, OBJ, PLY, OFF, VTP
-    std::string unit = "mm";                              ///< of the file: "mm" | "cm" | "m"
-    std::optional<double> spacing_mm;                     ///< either this
-    std::optional<std::int64_t> particles;                ///< or this
+    std::string file;                       ///< closed triangulated surface, label volume or tet mesh
+    std::string unit = "mm";                ///< of a surface or tet mesh: "mm" | "cm" | "m"
+    MaskOptions mask;                       ///< of a label volume: keys labels, image_volume, closing_mm, ...
+    std::string repair = "none";            ///< of a surface that is not closed and embedded: "auto" | "wrap" | "none"
+    std::optional<double> spacing_mm;       ///< either this
+    std::optional<std::int64_t> particles;  ///< or this
     std::int64_t seed = 1;
+    std::string arrangement = "body_fitted"; ///< of the particles: "body_fitted" | "tet_nodes" | "thinned"
+    std::string volumes = "cells";           ///< of the particles: "cells" | "neighbour_count"
+    std::string normals = "surface";         ///< of the particles: "surface" | "divisions"
+    std::int64_t normal_divisions = 8;       ///< where normals = "divisions"
+};
+
+/// Values on the body read from files (keys under [map]); an empty file: none.
+struct MapOptions
+{
+    std::string growth_file;     ///< regional growth m, one number a vertex of the input surface
+    std::string growth_array;    ///< which array of that file; empty: its first
+    std::string thickness_file;  ///< cortical thickness at t = 0 [mm], the same way
+    std::string thickness_array; ///< which array of that file
+    std::string still_file;      ///< where this is not 0 nothing grows, the same way, or a label volume
+    std::string still_array;     ///< which array of that file
+    std::string region_file;     ///< region labels, one whole number a vertex, or a label volume
+    std::string region_array;    ///< which array of that file
+    std::string region_table;    ///< CSV with columns label, growth
 };
 
 struct OutputOptions
@@ -49,6 +70,7 @@ struct TimeOptions
 struct Options
 {
     GeometryOptions geometry;
+    MapOptions map;
     TissueOptions tissue;
     TlsphOptions tlsph;       ///< keys under [solver]
     ContactOptions contact;   ///< keys under [contact]

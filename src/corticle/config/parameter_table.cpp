@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/config/parameters.hpp"
-
-#include <algorithm>
-#include <stdexcept>
-#include <type_traits>
+#include "corticle/config/parameter_builders.hpp"
 
 namespace corticle
 {
@@ -11,129 +7,7 @@ namespace corticle
 namespace
 {
 
-/// Names of enumerators, in their order.
-template <class Enum>
-std::vector<std::string> names();
-template <>
-std::vector<std::string> names<Layer>()
-{
-    return {"smooth", "binary"};
-}
-template <>
-std::vector<std::string> names<BulkRule>()
-{
-    return {"per_tissue", "uniform"};
-}
-
-/// How a member of Options is read and written as a Value.
-template <class T>
-struct Member
-{
-    static constexpr Kind kind = std::is_same_v<T, bool>           ? Kind::boolean
-                                 : std::is_same_v<T, std::int64_t> ? Kind::integer
-                                 : std::is_same_v<T, double>       ? Kind::real
-                                 : std::is_same_v<T, std::string>  ? Kind::text
-                                                                   : Kind::list;
-    static Value get(const T& member) { return member; }
-    static void set(T& member, const Value& value) { member = std::get<T>(value); }
-};
-
-template <class T>
-struct Member<std::optional<T>>
-{
-    static constexpr Kind kind = Member<T>::kind;
-    static Value get(const std::optional<T>& member) { return member ? Value(*member) : Value(Unsupported{}); }
-    static void set(std::optional<T>& member, const Value& value) { member = std::get<T>(value); }
-};
-
-template <std::size_t size>
-struct Member<std::array<double, size>>
-{
-    static constexpr Kind kind = Kind::list;
-    static Value get(const std::array<double, size>& member)
-    {
-        return std::vector<double>(member.begin(), member.end());
-    }
-    static void set(std::array<double, size>& member, const Value& value)
-    {
-        std::ranges::copy(std::get<std::vector<double>>(value), member.begin());
-    }
-};
-
-template <class T>
-requires std::is_enum_v<T>
-struct Member<T>
-{
-    static constexpr Kind kind = Kind::choice;
-    static Value get(const T& member) { return names<T>().at(static_cast<std::size_t>(member)); }
-    static void set(T& member, const Value& value)
-    {
-        const auto all = names<T>();
-        member = static_cast<T>(std::ranges::find(all, std::get<std::string>(value)) - all.begin());
-    }
-};
-
-template <class T>
-inline constexpr std::size_t list_length = 0;
-template <std::size_t size>
-inline constexpr std::size_t list_length<std::array<double, size>> = size;
-
-/// A parameter kept in the member that `access(options)` refers to.
-template <class Access>
-Parameter parameter(std::string key, std::string unit, Range range, std::string sentence, Access access)
-{
-    using T = std::remove_cvref_t<decltype(access(std::declval<Options&>()))>;
-    Parameter result;
-    result.key = std::move(key);
-    result.kind = Member<T>::kind;
-    result.unit = std::move(unit);
-    result.range = range;
-    result.length = list_length<T>;
-    result.sentence = std::move(sentence);
-    if constexpr (std::is_enum_v<T>)
-    {
-        result.choices = names<T>();
-    }
-    result.get = [access](const Options& options) { return Member<T>::get(access(options)); };
-    result.set = [access](Options& options, const Value& value) { Member<T>::set(access(options), value); };
-    return result;
-}
-
-/// A text that must be one of `choices`.
-template <class Access>
-Parameter choice(std::string key, std::vector<std::string> choices, std::string sentence, Access access)
-{
-    Parameter result = parameter(std::move(key), "", {}, std::move(sentence), access);
-    result.kind = Kind::choice;
-    result.choices = std::move(choices);
-    return result;
-}
-
-/// A parameter with one possible value, kept nowhere.
-Parameter constant(std::string key, const std::string& value, std::string sentence)
-{
-    Parameter result;
-    result.key = std::move(key);
-    result.kind = Kind::choice;
-    result.choices = {value};
-    result.sentence = std::move(sentence);
-    result.get = [value](const Options&) -> Value { return value; };
-    result.set = [](Options&, const Value&) {};
-    return result;
-}
-
-Range above(double low, double high = std::numeric_limits<double>::infinity())
-{
-    return {low, high, true};
-}
-Range between(double low, double high)
-{
-    return {low, high, false};
-}
-Range at_least(double low)
-{
-    return {low, std::numeric_limits<double>::infinity(), false};
-}
+using namespace detail;
 
 // The accessors: `[](auto& o) -> auto&` gives the member of an Options, const or not.
 #define CORTICLE_MEMBER(path) ([](auto& options) -> auto& { return options.path; })
@@ -147,11 +21,31 @@ std::vector<Parameter> geometry_parameters()
                   CORTICLE_MEMBER(geometry.radius_mm)),
         parameter("geometry.semi_axes_mm", "mm", above(0.0, 1000.0), "Semi-axes of the ellipsoid.",
                   CORTICLE_MEMBER(geometry.semi_axes_mm)),
-        parameter("geometry.file", "", {},
-                  "Closed triangulated surface (STL, OBJ, PLY, OFF, VTP), relative to the case; needed by shape = "
-                  "\"file\".",
-                  CORTICLE_MEMBER(geometry.file)),
-        choice("geometry.unit", {"mm", "cm", "m"}, "Unit of length of the file.", CORTICLE_MEMBER(geometry.unit)),
+        path("geometry.file",
+             "Closed triangulated surface (STL, OBJ, PLY, OFF, VTP, GIFTI, FreeSurfer), label volume (NIfTI) or tet "
+             "mesh (Gmsh, VTU, Netgen, Medit); needed by shape = \"file\".",
+             CORTICLE_MEMBER(geometry.file)),
+        choice("geometry.unit", {"mm", "cm", "m"}, "Unit of length of a surface or tet mesh.",
+               CORTICLE_MEMBER(geometry.unit)),
+        choice("geometry.repair", {"none", "auto", "wrap"},
+               "What is done with a surface that is open, self-intersecting, inside-out or in several shells: refuse "
+               "it, mend it, or wrap it.",
+               CORTICLE_MEMBER(geometry.repair)),
+        parameter("geometry.labels", "", between(-2147483648.0, 2147483647.0),
+                  "Labels of a label volume that are the body; empty: all but 0.", CORTICLE_MEMBER(geometry.mask.labels)),
+        parameter("geometry.image_volume", "", at_least(0.0), "Which volume of a 4D image, counted from 0.",
+                  CORTICLE_MEMBER(geometry.mask.volume)),
+        parameter("geometry.closing_mm", "mm", between(0.0, 20.0), "Radius by which the mask of the labels is closed.",
+                  CORTICLE_MEMBER(geometry.mask.closing_mm)),
+        parameter("geometry.fill_cavities", "", {}, "Whether cavities of the mask are filled.",
+                  CORTICLE_MEMBER(geometry.mask.fill_cavities)),
+        parameter("geometry.smoothing_mm", "mm", between(0.0, 20.0),
+                  "Standard deviation of the smoothing of the mask, which keeps its volume.",
+                  CORTICLE_MEMBER(geometry.mask.smoothing_mm)),
+        parameter("geometry.remove_handles", "", {}, "Whether the surface of the mask is made a topological sphere.",
+                  CORTICLE_MEMBER(geometry.mask.remove_handles)),
+        choice("geometry.hemisphere", {"both", "left", "right"}, "Which part of the mask is taken.",
+               CORTICLE_MEMBER(geometry.mask.hemisphere)),
         parameter("geometry.spacing_mm", "mm", above(0.0, 1000.0),
                   "Distance between neighbouring particles; instead of particles.",
                   CORTICLE_MEMBER(geometry.spacing_mm)),
@@ -160,6 +54,47 @@ std::vector<Parameter> geometry_parameters()
                   "About this many particles; instead of spacing_mm.", CORTICLE_MEMBER(geometry.particles)),
         parameter("geometry.seed", "", at_least(0.0), "Seed of the arrangement of particles.",
                   CORTICLE_MEMBER(geometry.seed)),
+        choice("geometry.arrangement", {"body_fitted", "tet_nodes", "thinned"},
+               "Particles: arranged to fit the body, the nodes of a tet mesh, or dense points thinned at random "
+               "(thesis section 2.4.1).",
+               CORTICLE_MEMBER(geometry.arrangement)),
+        choice("geometry.volumes", {"cells", "neighbour_count"},
+               "Volumes of the particles: exact, or by neighbour counts (thesis eqs. 25 and 26).",
+               CORTICLE_MEMBER(geometry.volumes)),
+        choice("geometry.normals", {"surface", "divisions"},
+               "Normals of the particles: of the closest surface point, or of the nearest normal line (thesis section "
+               "2.4.2).",
+               CORTICLE_MEMBER(geometry.normals)),
+        parameter("geometry.normal_divisions", "", between(1.0, 1000.0), "Divisions of each normal line.",
+                  CORTICLE_MEMBER(geometry.normal_divisions)),
+    };
+}
+
+std::vector<Parameter> map_parameters()
+{
+    return {
+        path("map.growth_file",
+             "Regional growth, a factor of alpha_t, at the vertices of the input surface: GIFTI, VTP, FreeSurfer curv "
+             "or CSV.",
+             CORTICLE_MEMBER(map.growth_file)),
+        parameter("map.growth_array", "", {}, "Which array of that file; empty: its first.",
+                  CORTICLE_MEMBER(map.growth_array)),
+        path("map.thickness_file", "Cortical thickness at t = 0 [mm] at the vertices of the input surface.",
+             CORTICLE_MEMBER(map.thickness_file)),
+        parameter("map.thickness_array", "", {}, "Which array of that file; empty: its first.",
+                  CORTICLE_MEMBER(map.thickness_array)),
+        path("map.still_file",
+             "Mask of what does not grow: not 0 there, at the vertices of the input surface or in a NIfTI volume.",
+             CORTICLE_MEMBER(map.still_file)),
+        parameter("map.still_array", "", {}, "Which array of that file; empty: its first.",
+                  CORTICLE_MEMBER(map.still_array)),
+        path("map.region_file",
+             "Region labels, whole numbers at the vertices of the input surface or in a NIfTI volume.",
+             CORTICLE_MEMBER(map.region_file)),
+        parameter("map.region_array", "", {}, "Which array of that file; empty: its first.",
+                  CORTICLE_MEMBER(map.region_array)),
+        path("map.region_table", "CSV with columns label and growth: the factor of alpha_t in each region.",
+             CORTICLE_MEMBER(map.region_table)),
     };
 }
 
@@ -173,7 +108,8 @@ std::vector<Parameter> tissue_parameters()
                   "Change of the thickness from t = 0 to t = 1.", CORTICLE_MEMBER(tissue.thickness_rate_mm)),
         parameter("tissue.lambda", "", between(0.0, 0.999),
                   "Above 0: cortex is where the squared scaled radius of a sphere or ellipsoid reaches this "
-                  "(binary layer only); 0: the thickness decides.",
+                  "(binary layer only; of another body the scaled extents are taken, thesis eq. 24); 0: the thickness "
+                  "decides.",
                   CORTICLE_MEMBER(tissue.lambda)),
         parameter("tissue.mu_cortex", "mu_w", between(0.001, 1000.0), "Shear modulus of the cortex.",
                   CORTICLE_MEMBER(tissue.mu_cortex)),
@@ -239,7 +175,7 @@ std::vector<Parameter> other_parameters()
 std::vector<Parameter> all_parameters()
 {
     std::vector<Parameter> all;
-    for (auto part : {geometry_parameters, tissue_parameters, solver_parameters, other_parameters})
+    for (auto part : {geometry_parameters, map_parameters, tissue_parameters, solver_parameters, other_parameters})
     {
         std::ranges::move(part(), std::back_inserter(all));
     }

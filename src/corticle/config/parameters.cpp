@@ -43,6 +43,12 @@ std::string_view last_part(std::string_view key)
     return key.substr(key.rfind('.') + 1);
 }
 
+bool is_whole_list(const Value& value)
+{
+    const auto* list = std::get_if<std::vector<double>>(&value);
+    return list != nullptr && std::ranges::all_of(*list, [](double number) { return number == std::round(number); });
+}
+
 /// The value in the type the parameter keeps (an integer where a number is expected becomes a number).
 /// Unsupported when the type is wrong.
 Value converted(const Parameter& parameter, const Value& value)
@@ -64,6 +70,8 @@ Value converted(const Parameter& parameter, const Value& value)
         return std::holds_alternative<std::string>(value) ? value : Unsupported{};
     case Kind::list:
         return std::holds_alternative<std::vector<double>>(value) ? value : Unsupported{};
+    case Kind::integers:
+        return is_whole_list(value) ? value : Unsupported{};
     }
     return Unsupported{};
 }
@@ -73,7 +81,8 @@ bool list_in_range(const Parameter& parameter, const std::vector<double>& list)
     const bool fixed = parameter.length > 0;
     return (fixed ? list.size() == parameter.length : list.size() <= longest_list) &&
            std::ranges::all_of(list, [&](double value) { return parameter.range.contains(value); }) &&
-           (fixed || std::ranges::adjacent_find(list, std::greater_equal<>{}) == list.end());
+           (fixed || parameter.kind == Kind::integers ||
+            std::ranges::adjacent_find(list, std::greater_equal<>{}) == list.end());
 }
 
 bool in_range(const Parameter& parameter, const Value& value)
@@ -133,6 +142,8 @@ std::string Parameter::kind_text() const
         return fmt::format("\"{}\"", fmt::join(choices, "\" or \""));
     case Kind::list:
         return length > 0 ? fmt::format("a list of {} numbers", length) : "a list of increasing numbers";
+    case Kind::integers:
+        return "a list of integers";
     }
     return "";
 }

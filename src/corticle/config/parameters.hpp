@@ -38,7 +38,8 @@ enum class Kind
     real,
     text,
     choice,
-    list ///< of numbers
+    list,    ///< of increasing numbers, or of a fixed number of them
+    integers ///< a list of integers in any order
 };
 
 /// What a user may set.
@@ -49,7 +50,8 @@ struct Parameter
     std::string unit;
     Range range;                      ///< of numbers, and of each number of a list
     std::vector<std::string> choices; ///< of Kind::choice
-    std::size_t length = 0;           ///< of a list; 0: any length, increasing
+    std::size_t length = 0;           ///< of a list; 0: any length
+    bool is_path = false;             ///< a text that names a file, relative to the case
     std::string sentence;
     std::function<Value(const Options&)> get; ///< Unsupported where an optional is not given
     std::function<void(Options&, const Value&)> set;

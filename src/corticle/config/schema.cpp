@@ -28,6 +28,8 @@ std::string kind_column(const Parameter& parameter)
         return "number";
     case Kind::list:
         return parameter.length > 0 ? fmt::format("{} numbers", parameter.length) : "list of numbers";
+    case Kind::integers:
+        return "list of integers";
     default:
         return "string";
     }
@@ -67,7 +69,8 @@ bool is_of_other_shape(const Parameter& parameter, std::string_view shape)
     const std::string& key = parameter.key;
     return (key == "geometry.radius_mm" && shape != "sphere") ||
            (key == "geometry.semi_axes_mm" && shape != "ellipsoid") ||
-           ((key == "geometry.file" || key == "geometry.unit") && shape != "file") || key == "geometry.spacing_mm";
+           ((key == "geometry.file" || key == "geometry.unit") && shape != "file") || key == "geometry.spacing_mm" ||
+           key == "geometry.image_volume";
 }
 
 } // namespace

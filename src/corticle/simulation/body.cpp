@@ -3,16 +3,21 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
+#include "corticle/cloud/division_normals.hpp"
 #include "corticle/cloud/fill.hpp"
+#include "corticle/cloud/from_tets.hpp"
+#include "corticle/cloud/neighbor_count_volumes.hpp"
 #include "corticle/config/parameters.hpp"
 #include "corticle/geometry/shapes.hpp"
-#include "corticle/geometry/validate.hpp"
-#include "corticle/io/surface_reader.hpp"
+#include "corticle/simulation/body_maps.hpp"
+#include "corticle/simulation/body_source.hpp"
+#include "corticle/tissue/ellipsoid.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <numbers>
+#include <numeric>
 
 namespace corticle
 {
@@ -23,34 +28,13 @@ namespace
 /// Surface edges over the spacing: makes the cell of a surface particle about half of an inner one.
 constexpr double edge_per_spacing = 1.05;
 
-std::array<double, 3> semi_axes(const GeometryOptions& geometry)
-{
-    return geometry.shape == "sphere" ? std::array{geometry.radius_mm, geometry.radius_mm, geometry.radius_mm}
-                                      : geometry.semi_axes_mm;
-}
-
-TriangleMesh read_input_surface(const GeometryOptions& geometry)
-{
-    TriangleMesh surface = read_surface(geometry.file, millimetres_per(geometry.unit));
-    require_valid_surface(surface, geometry.file);
-    return surface;
-}
-
-double ellipsoid_volume(const std::array<double, 3>& axes)
-{
-    return 4.0 / 3.0 * std::numbers::pi * axes[0] * axes[1] * axes[2];
-}
-
 /// Depth and normal of every particle from the closest point of the surface; exact on the surface itself.
-void set_tissue(const Options& options, const SurfaceTree& tree, Body& body)
+void set_depth(const SurfaceTree& tree, Body& body)
 {
     const std::size_t count = body.cloud.positions.size();
     Tissue& tissue = body.tissue;
-    tissue.options = options.tissue;
     tissue.depth.resize(count);
     tissue.normal.resize(count);
-    tissue.regional_rate.assign(count, 1.0);
-    tissue.volume = body.cloud.volumes;
     parallel_for(static_cast<std::int64_t>(count),
                  [&](std::int64_t signed_i)
                  {
@@ -63,27 +47,83 @@ void set_tissue(const Options& options, const SurfaceTree& tree, Body& body)
     {
         tissue.depth[static_cast<std::size_t>(particle)] = 0.0;
     }
-    if (options.tissue.layer == Layer::binary && options.tissue.lambda > 0.0)
+}
+
+/// Surface and particles of the options' arrangement; the surface's vertices are particles.
+void set_cloud(const Options& options, const BodySource& source, Body& body)
+{
+    const GeometryOptions& geometry = options.geometry;
+    const double spacing = resolve_resolution(options, source.volume).spacing_mm;
+    if (geometry.arrangement != "body_fitted")
     {
-        tissue.theta =
-            ellipsoid_layer(body.cloud.positions, tissue.volume, semi_axes(options.geometry), options.tissue.lambda);
+        if (!source.tets)
+        {
+            throw InputError(fmt::format("geometry.arrangement = \"{}\": the nodes of a tet mesh become particles, but {} "
+                                         "is none; expected a tet mesh, or arrangement = \"body_fitted\"",
+                                         geometry.arrangement, geometry.file));
+        }
+        TetCloud nodes = cloud_from_tets(*source.tets, tet_cloud_options(options));
+        body.cloud = std::move(nodes.cloud);
+        body.surface = std::move(nodes.surface);
+        return;
     }
-    else
+    body.surface = geometry.shape == "file"
+                       ? remesh_isotropic(source.surface, edge_per_spacing * spacing, &body.report.remesh)
+                       : make_ellipsoid(semi_axes(geometry), edge_per_spacing * spacing);
+    body.cloud = fill_surface(body.surface, {spacing, static_cast<std::uint64_t>(geometry.seed)});
+}
+
+/// What the thesis does instead, where the options ask for it.
+void apply_thesis_choices(const Options& options, Body& body)
+{
+    const GeometryOptions& geometry = options.geometry;
+    const std::vector<Vec3>& X = body.cloud.positions;
+    if (geometry.volumes == "neighbour_count")
+    {
+        const double total = std::accumulate(body.cloud.volumes.begin(), body.cloud.volumes.end(), 0.0);
+        body.cloud.volumes = neighbor_count_volumes(X, options.tlsph.support * body.cloud.spacing, total);
+    }
+    if (geometry.normals == "divisions")
+    {
+        body.tissue.normal = division_normals(X, triangle_normal_lines(body.surface),
+                                              static_cast<std::int32_t>(geometry.normal_divisions), extents_centre(X));
+    }
+}
+
+/// The cortex at t = 0.
+void set_layer(const Options& options, Body& body)
+{
+    Tissue& tissue = body.tissue;
+    tissue.options = options.tissue;
+    tissue.volume = body.cloud.volumes;
+    const std::vector<Vec3>& X = body.cloud.positions;
+    if (options.tissue.layer != Layer::binary || options.tissue.lambda == 0.0)
     {
         tissue.set_layer(0.0);
         tissue.theta_is_fixed = options.tissue.thickness_rate_mm == 0.0;
     }
+    else if (options.geometry.shape == "file")
+    {
+        tissue.theta =
+            ellipsoid_layer_by_centres(X, fitted_semi_axes(X), options.tissue.lambda, extents_centre(X));
+    }
+    else
+    {
+        tissue.theta = ellipsoid_layer(X, tissue.volume, semi_axes(options.geometry), options.tissue.lambda);
+    }
 }
 
-/// Thickness of the cortex at t = 0 [mm]; where eq. 24 defines it, along the shortest semi-axis.
-double cortex_thickness(const Options& options)
+/// Thickness of the cortex at t = 0 where it is thinnest [mm]; where eq. 24 defines it, along the shortest semi-axis.
+double cortex_thickness(const Options& options, const Body& body)
 {
     if (options.tissue.layer == Layer::binary && options.tissue.lambda > 0.0)
     {
-        const auto axes = semi_axes(options.geometry);
+        const auto axes = options.geometry.shape == "file" ? fitted_semi_axes(body.cloud.positions)
+                                                           : semi_axes(options.geometry);
         return (1.0 - std::sqrt(options.tissue.lambda)) * *std::min_element(axes.begin(), axes.end());
     }
-    return options.tissue.thickness_mm;
+    const std::vector<double>& local = body.tissue.thickness;
+    return local.empty() ? options.tissue.thickness_mm : *std::min_element(local.begin(), local.end());
 }
 
 } // namespace
@@ -123,35 +163,33 @@ Resolution resolve_resolution(const Options& options, double volume_mm3)
     return {spacing, std::llround(count)};
 }
 
-Body prepare_body(const Options& options)
+Body arrange_body(const Options& options)
 {
+    BodySource source = read_body_source(options.geometry);
     Body body;
-    TriangleMesh input;
-    double volume = 0.0;
-    if (options.geometry.shape == "file")
-    {
-        input = read_input_surface(options.geometry);
-        body.report.input_vertices = std::ssize(input.vertices);
-        volume = enclosed_volume(input.vertices, input.triangles);
-    }
-    else
-    {
-        volume = ellipsoid_volume(semi_axes(options.geometry));
-    }
-    const double spacing = resolve_resolution(options, volume).spacing_mm;
-    body.surface = options.geometry.shape == "file"
-                       ? remesh_isotropic(input, edge_per_spacing * spacing, &body.report.remesh)
-                       : make_ellipsoid(semi_axes(options.geometry), edge_per_spacing * spacing);
-    body.cloud = fill_surface(body.surface, {spacing, static_cast<std::uint64_t>(options.geometry.seed)});
-    const SurfaceTree tree(body.surface.vertices, body.surface.triangles);
-    set_tissue(options, tree, body);
+    body.report.source = source.kind;
+    body.report.notes = std::move(source.notes);
+    body.report.warnings = std::move(source.warnings);
+    body.report.input_vertices = std::ssize(source.surface.vertices);
+    set_cloud(options, source, body);
+    set_depth(SurfaceTree(body.surface.vertices, body.surface.triangles), body);
+    apply_thesis_choices(options, body);
+    BodyMaps maps = read_body_maps(options.map, source.map_surface, body.cloud.positions);
+    body.tissue.regional_rate = std::move(maps.growth);
+    body.tissue.thickness = std::move(maps.thickness);
+    return body;
+}
 
+void connect_body(const Options& options, Body& body)
+{
+    set_layer(options, body);
+    const SurfaceTree tree(body.surface.vertices, body.surface.triangles);
     Neighbors pairs =
         find_neighbors(body.cloud, tree, options.tlsph.support * body.cloud.spacing, &body.report.visibility);
     body.report.neighbors_mean =
         static_cast<double>(pairs.index.size()) / static_cast<double>(body.cloud.positions.size());
     body.particles = make_particles(body.cloud, std::move(pairs), options.tlsph);
-    const double thickness = cortex_thickness(options);
+    const double thickness = cortex_thickness(options, body);
     if (thickness < 2.0 * body.cloud.spacing)
     {
         body.report.warnings.push_back(
@@ -159,6 +197,12 @@ Body prepare_body(const Options& options)
                         "wavelength; geometry.spacing_mm of at most {:.4g} is needed",
                         thickness, body.cloud.spacing, thickness / 2.0));
     }
+}
+
+Body prepare_body(const Options& options)
+{
+    Body body = arrange_body(options);
+    connect_body(options, body);
     return body;
 }
 

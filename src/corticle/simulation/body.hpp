@@ -13,7 +13,9 @@ namespace corticle
 /// What preparation did and found.
 struct PreparationReport
 {
-    std::int64_t input_vertices = 0; ///< of the surface file; 0 for built-in shapes
+    std::string source;              ///< BodySource::kind
+    std::vector<std::string> notes;  ///< what was found in the input and done to it, one line each
+    std::int64_t input_vertices = 0; ///< of the input surface; 0 for built-in shapes
     RemeshReport remesh;
     VisibilityReport visibility;
     double neighbors_mean = 0.0;
@@ -38,6 +40,13 @@ struct Resolution
 };
 /// @throws InputError when it gives fewer than 500 or more than 100 million particles, or more than memory holds
 Resolution resolve_resolution(const Options& options, double volume_mm3);
+
+/// Input, surface, cloud, and what the tissue is where: all that depends on the keys of [geometry] and [map] alone, and
+/// all that a body file holds. @throws InputError
+Body arrange_body(const Options& options);
+
+/// Layer, pairs and pair weights of an arranged body: all that also depends on the other keys. @throws InputError
+void connect_body(const Options& options, Body& body);
 
 /// From the options to a body ready to fold. @throws InputError
 Body prepare_body(const Options& options);

@@ -123,6 +123,17 @@ std::optional<Checkpoint> find_checkpoint(const RunRequest& request, const std::
     return std::nullopt;
 }
 
+void create_folder(const fs::path& folder)
+{
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error)
+    {
+        throw InputError(fmt::format("--out {}: cannot be made: {}; expected a folder that can be written",
+                                     folder.string(), error.message()));
+    }
+}
+
 void remove_leftovers(const fs::path& folder)
 {
     remove_files(folder, is_leftover);

@@ -36,4 +36,7 @@ void write_tables(const std::filesystem::path& folder, std::span<const Measures>
 /// "0007"
 std::string frame_name(std::size_t row);
 
+/// Makes a folder unless it is there. @throws InputError
+void create_folder(const std::filesystem::path& folder);
+
 } // namespace corticle

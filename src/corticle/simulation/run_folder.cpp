@@ -7,6 +7,7 @@
 #include "corticle/io/atomic_file.hpp"
 #include "corticle/io/folder_lock.hpp"
 #include "corticle/io/pictures.hpp"
+#include "corticle/simulation/body_file.hpp"
 #include "corticle/simulation/frames.hpp"
 #include "corticle/simulation/interruption.hpp"
 #include "corticle/simulation/progress.hpp"
@@ -45,17 +46,6 @@ std::shared_ptr<spdlog::logger> make_log(const fs::path& folder, bool quiet)
     auto log = std::make_shared<spdlog::logger>("run", spdlog::sinks_init_list{file, terminal});
     log->flush_on(spdlog::level::info);
     return log;
-}
-
-void create_folder(const fs::path& folder)
-{
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error)
-    {
-        throw InputError(fmt::format("--out {}: cannot be made: {}; expected a folder that can be written",
-                                     folder.string(), error.message()));
-    }
 }
 
 /// Wall time that earlier sessions of an interrupted run took, as its summary tells [s].
@@ -192,12 +182,23 @@ bool fold(Simulation& simulation, Recorder& recorder, const Options& options, bo
     return true;
 }
 
+Body body_of(const RunRequest& request)
+{
+    Body body = request.body.empty() ? arrange_body(request.options) : read_body(request.body, request.options);
+    connect_body(request.options, body);
+    return body;
+}
+
 void log_body(spdlog::logger& log, const Body& body)
 {
     log.info("{} particles, {} of them on the surface, spacing {:.4g} mm, {:.1f} neighbours, {} pairs dropped because "
              "they do not see each other",
              body.cloud.positions.size(), body.cloud.surface_particles.size(), body.cloud.spacing,
              body.report.neighbors_mean, body.report.visibility.dropped_pairs);
+    for (const std::string& note : body.report.notes)
+    {
+        log.info(note);
+    }
     if (body.report.input_vertices > 0)
     {
         log.info("remeshed {} vertices: area {:+.3f} %, volume {:+.3f} %, at most {:.3g} mm from the input",
@@ -224,7 +225,7 @@ RunStatus simulate(const RunRequest& request)
         lock.emplace(request.out);
     }
     std::optional<Checkpoint> checkpoint = find_checkpoint(request, case_text);
-    Body body = prepare_body(request.options);
+    Body body = body_of(request);
     std::optional<Restored> restored;
     if (checkpoint)
     {

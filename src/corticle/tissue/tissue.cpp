@@ -11,14 +11,15 @@ namespace corticle
 
 void Tissue::set_layer(double t)
 {
-    const double thickness = options.thickness_mm + options.thickness_rate_mm * t;
+    const double thickening = options.thickness_rate_mm * t;
     theta.resize(depth.size());
     parallel_for(std::ssize(depth),
                  [&](std::int64_t i)
                  {
                      const auto k = static_cast<std::size_t>(i);
+                     const double H = (thickness.empty() ? options.thickness_mm : thickness[k]) + thickening;
                      theta[k] =
-                         options.layer == Layer::smooth ? smooth_layer(depth[k], thickness) : thickness - depth[k];
+                         options.layer == Layer::smooth ? smooth_layer(depth[k], H) : H - depth[k];
                  });
     if (options.layer == Layer::binary)
     {

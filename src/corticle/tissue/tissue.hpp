@@ -20,6 +20,7 @@ struct Tissue
     std::vector<double> depth;         ///< y, reference distance to the surface [mm]
     std::vector<Vec3> normal;          ///< n, unit, reference
     std::vector<double> regional_rate; ///< m [-]
+    std::vector<double> thickness;     ///< of the cortex at t = 0 [mm]; empty: options.thickness_mm everywhere
     std::vector<double> theta;         ///< cortex share at the current t [-]
     bool theta_is_fixed = true;
 

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands.hpp"
+
+#include "corticle/config/case_file.hpp"
+#include "corticle/simulation/preparation_folder.hpp"
+
+#include <fmt/format.h>
+
+namespace corticle
+{
+
+int prepare_command(const PrepareArguments& arguments)
+{
+    PrepareRequest request;
+    request.options = read_case(arguments.case_file, arguments.overrides);
+    request.out = arguments.out.empty() ? std::filesystem::path("prepared") / arguments.case_file.stem() : arguments.out;
+    request.threads = arguments.threads;
+    request.overwrite = arguments.overwrite;
+    request.compare_thesis = arguments.compare_thesis;
+    const std::string report = prepare(request);
+    if (!arguments.quiet)
+    {
+        fmt::print("{}wrote         {}\n", report, request.out.string());
+    }
+    return exit_status::done;
+}
+
+} // namespace corticle

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/config/parameters.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <type_traits>
+
+// How parameters are made from members of Options: what parameter_table.cpp is written in.
+
+namespace corticle::detail
+{
+
+/// Names of enumerators, in their order.
+template <class Enum>
+std::vector<std::string> names();
+template <>
+inline std::vector<std::string> names<Layer>()
+{
+    return {"smooth", "binary"};
+}
+template <>
+inline std::vector<std::string> names<BulkRule>()
+{
+    return {"per_tissue", "uniform"};
+}
+
+/// How a member of Options is read and written as a Value.
+template <class T>
+struct Member
+{
+    static constexpr Kind kind = std::is_same_v<T, bool>           ? Kind::boolean
+                                 : std::is_same_v<T, std::int64_t> ? Kind::integer
+                                 : std::is_same_v<T, double>       ? Kind::real
+                                 : std::is_same_v<T, std::string>  ? Kind::text
+                                                                   : Kind::list;
+    static Value get(const T& member) { return member; }
+    static void set(T& member, const Value& value) { member = std::get<T>(value); }
+};
+
+template <class T>
+struct Member<std::optional<T>>
+{
+    static constexpr Kind kind = Member<T>::kind;
+    static Value get(const std::optional<T>& member) { return member ? Value(*member) : Value(Unsupported{}); }
+    static void set(std::optional<T>& member, const Value& value) { member = std::get<T>(value); }
+};
+
+template <>
+struct Member<std::vector<std::int64_t>>
+{
+    static constexpr Kind kind = Kind::integers;
+    static Value get(const std::vector<std::int64_t>& member)
+    {
+        return std::vector<double>(member.begin(), member.end());
+    }
+    static void set(std::vector<std::int64_t>& member, const Value& value)
+    {
+        const auto& list = std::get<std::vector<double>>(value);
+        member.assign(list.begin(), list.end());
+    }
+};
+
+template <std::size_t size>
+struct Member<std::array<double, size>>
+{
+    static constexpr Kind kind = Kind::list;
+    static Value get(const std::array<double, size>& member)
+    {
+        return std::vector<double>(member.begin(), member.end());
+    }
+    static void set(std::array<double, size>& member, const Value& value)
+    {
+        std::ranges::copy(std::get<std::vector<double>>(value), member.begin());
+    }
+};
+
+template <class T>
+requires std::is_enum_v<T>
+struct Member<T>
+{
+    static constexpr Kind kind = Kind::choice;
+    static Value get(const T& member) { return names<T>().at(static_cast<std::size_t>(member)); }
+    static void set(T& member, const Value& value)
+    {
+        const auto all = names<T>();
+        member = static_cast<T>(std::ranges::find(all, std::get<std::string>(value)) - all.begin());
+    }
+};
+
+template <class T>
+inline constexpr std::size_t list_length = 0;
+template <std::size_t size>
+inline constexpr std::size_t list_length<std::array<double, size>> = size;
+
+/// A parameter kept in the member that `access(options)` refers to.
+template <class Access>
+Parameter parameter(std::string key, std::string unit, Range range, std::string sentence, Access access)
+{
+    using T = std::remove_cvref_t<decltype(access(std::declval<Options&>()))>;
+    Parameter result;
+    result.key = std::move(key);
+    result.kind = Member<T>::kind;
+    result.unit = std::move(unit);
+    result.range = range;
+    result.length = list_length<T>;
+    result.sentence = std::move(sentence);
+    if constexpr (std::is_enum_v<T>)
+    {
+        result.choices = names<T>();
+    }
+    result.get = [access](const Options& options) { return Member<T>::get(access(options)); };
+    result.set = [access](Options& options, const Value& value) { Member<T>::set(access(options), value); };
+    return result;
+}
+
+/// A text that must be one of `choices`.
+template <class Access>
+Parameter choice(std::string key, std::vector<std::string> choices, std::string sentence, Access access)
+{
+    Parameter result = parameter(std::move(key), "", {}, std::move(sentence), access);
+    result.kind = Kind::choice;
+    result.choices = std::move(choices);
+    return result;
+}
+
+/// The path of a file, relative to the case; "" for none.
+template <class Access>
+Parameter path(std::string key, std::string sentence, Access access)
+{
+    Parameter result = parameter(std::move(key), "", {}, std::move(sentence), access);
+    result.is_path = true;
+    return result;
+}
+
+/// A parameter with one possible value, kept nowhere.
+inline Parameter constant(std::string key, const std::string& value, std::string sentence)
+{
+    Parameter result;
+    result.key = std::move(key);
+    result.kind = Kind::choice;
+    result.choices = {value};
+    result.sentence = std::move(sentence);
+    result.get = [value](const Options&) -> Value { return value; };
+    result.set = [](Options&, const Value&) {};
+    return result;
+}
+
+inline Range above(double low, double high = std::numeric_limits<double>::infinity())
+{
+    return {low, high, true};
+}
+inline Range between(double low, double high)
+{
+    return {low, high, false};
+}
+inline Range at_least(double low)
+{
+    return {low, std::numeric_limits<double>::infinity(), false};
+}
+
+} // namespace corticle::detail

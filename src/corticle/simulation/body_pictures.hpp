@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/simulation/body.hpp"
+
+#include <filesystem>
+
+namespace corticle
+{
+
+/// How well each particle of a prepared body sits, one number per particle.
+struct BodyQuality
+{
+    std::vector<double> nearest_distance; ///< to the nearest particle it has a pair with [spacings]
+    std::vector<double> volume_over_mean; ///< [-]
+    std::vector<double> condition_number; ///< of the shape matrix [-]
+};
+
+BodyQuality measure_body_quality(const Body& body);
+
+/// Share of the body's volume that is cortex [-].
+double cortex_share(const Body& body);
+
+/// Pictures of a prepared body: `cloud.png` (cells of the middle cut), `layer.png` (depth), `normals.png`, the surface
+/// (`surface.png`, by regional growth, or by thickness where a map gives it), and `quality.png` (histograms).
+void render_body(const std::filesystem::path& folder, const Body& body, const BodyQuality& quality);
+
+} // namespace corticle

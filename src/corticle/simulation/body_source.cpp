@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/simulation/body_source.hpp"
+
+#include "corticle/geometry/repair.hpp"
+#include "corticle/geometry/validate.hpp"
+#include "corticle/geometry/validate_tets.hpp"
+#include "corticle/imaging/surface_from_labels.hpp"
+#include "corticle/io/nifti.hpp"
+#include "corticle/io/surface_reader.hpp"
+#include "corticle/io/tet_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <numbers>
+
+namespace corticle
+{
+
+namespace
+{
+
+void take_labels(const GeometryOptions& options, BodySource& source)
+{
+    source.kind = "labels";
+    ImagedSurface imaged = surface_from_labels(read_nifti(options.file, options.mask.volume), options.mask);
+    source.surface = std::move(imaged.surface);
+    source.notes = describe(imaged.report);
+    source.warnings = std::move(imaged.report.warnings);
+    require_valid_surface(source.surface, options.file);
+}
+
+void take_tets(const GeometryOptions& options, BodySource& source)
+{
+    source.kind = "tets";
+    TetReport report;
+    source.tets = require_valid_tets(read_tets(options.file, millimetres_per(options.unit), &source.notes), options.file,
+                                     &report);
+    std::ranges::move(report.lines, std::back_inserter(source.notes));
+    source.surface = boundary_of(*source.tets).surface;
+}
+
+void take_surface(const GeometryOptions& options, BodySource& source)
+{
+    source.kind = "surface";
+    source.map_surface = read_surface_unmerged(options.file, millimetres_per(options.unit));
+    RepairedSurface repaired = repair_surface(source.map_surface, options.file, repair_options(options));
+    source.surface = std::move(repaired.mesh);
+    source.notes = std::move(repaired.report.lines);
+}
+
+} // namespace
+
+std::array<double, 3> semi_axes(const GeometryOptions& options)
+{
+    return options.shape == "sphere" ? std::array{options.radius_mm, options.radius_mm, options.radius_mm}
+                                     : options.semi_axes_mm;
+}
+
+BodySource read_body_source(const GeometryOptions& options)
+{
+    BodySource source;
+    if (options.shape != "file")
+    {
+        const auto axes = semi_axes(options);
+        source.kind = options.shape;
+        source.volume = 4.0 / 3.0 * std::numbers::pi * axes[0] * axes[1] * axes[2];
+        return source;
+    }
+    if (is_nifti(options.file))
+    {
+        take_labels(options, source);
+    }
+    else if (is_tet_file(options.file))
+    {
+        take_tets(options, source);
+    }
+    else
+    {
+        take_surface(options, source);
+    }
+    source.volume = enclosed_volume(source.surface.vertices, source.surface.triangles);
+    return source;
+}
+
+} // namespace corticle

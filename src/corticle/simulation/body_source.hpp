@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/config/options.hpp"
+#include "corticle/geometry/tet_mesh.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace corticle
+{
+
+/// What a body is made from, before particles are arranged. [mm]
+struct BodySource
+{
+    std::string kind;             ///< "sphere" | "ellipsoid" | "surface" | "labels" | "tets"
+    TriangleMesh surface;         ///< closed and valid; empty for a sphere or an ellipsoid
+    TriangleMesh map_surface;     ///< as in the file: maps give numbers at its vertices; empty where there is none
+    std::optional<TetMesh> tets;  ///< of a tet mesh
+    double volume = 0.0;          ///< enclosed [mm³]
+    std::vector<std::string> notes;    ///< what was found and done, one line each
+    std::vector<std::string> warnings; ///< one line each
+};
+
+/// Reads and cleans the input the options name. @throws InputError
+BodySource read_body_source(const GeometryOptions& options);
+
+/// Semi-axes of a sphere or an ellipsoid [mm].
+std::array<double, 3> semi_axes(const GeometryOptions& options);
+
+} // namespace corticle

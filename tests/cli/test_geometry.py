@@ -1,0 +1,184 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""From labels, dirty surfaces and tet meshes to a prepared body and a run of it; maps; what is wrong is said in one line."""
+
+import gzip
+import json
+import math
+import random
+import struct
+
+import _command
+import _surfaces
+from _run_folders import check_same
+
+SHORT = ("--set", "geometry.particles=3000", "--set", "time.end=0.04", "--set", "output.count=2")
+FILE_CASE = '[geometry]\nshape = "file"\nfile = "{}"\nparticles = 2000\n[output]\npictures = "off"\n{}\n'
+FREUDENTHAL = ((0, 1, 3, 7), (0, 3, 2, 7), (0, 2, 6, 7), (0, 6, 4, 7), (0, 4, 5, 7), (0, 5, 1, 7)) # of a cube, right-handed
+
+
+def report(bench, folder):
+    path = bench.folder / folder / "preparation.json"
+    return json.loads(path.read_text(encoding="utf-8")) if path.is_file() else {}
+
+
+def close(bench, got, expected, tolerance, what):
+    bench.check(got is not None and abs(got - expected) <= tolerance, f"{what}: got {got}, expected {expected} +- {tolerance}")
+
+
+def phantom(bench):
+    """The built-in brain: from labels to a run; prepared and run gives what running alone gives."""
+    bench.accepted("new", "brain")
+    bench.refused(["new", "brain"], ["exists"])
+    bench.accepted("prepare", "brain.toml", "--out", "body", *SHORT)
+    got = report(bench, "body")
+    bench.check(got.get("genus") == 0, f"the phantom has genus {got.get('genus')}")
+    bench.check(got.get("closest_pair_spacings", 0) > 0.5, f"closest pair: {got.get('closest_pair_spacings')} spacings")
+    close(bench, got.get("particle_volume_sum_mm3", 0) / got.get("volume_mm3", 1), 1.0, 1e-12, "volumes of the particles")
+    for name in ("body.h5", "case.toml", "particles.vtu", "surface.vtp"):
+        bench.check((bench.folder / "body" / name).is_file(), f"prepare wrote no {name}")
+    bench.refused(["prepare", "brain.toml", "--out", "body", *SHORT], ["--overwrite"])
+    bench.accepted("prepare", "brain.toml", "--out", "body", "--overwrite", "--quiet", *SHORT)
+    bench.accepted("run", "brain.toml", "--out", "direct", "--quiet", *SHORT)
+    bench.accepted("run", "brain.toml", "--out", "prepared", "--body", "body", "--quiet", *SHORT)
+    check_same(bench, "direct", "prepared", "from a prepared body")
+    bench.refused(["run", "brain.toml", "--out", "other", "--body", "body", *SHORT, "--set", "geometry.seed=9"], ["geometry.seed"])
+    bench.refused(["run", "brain.toml", "--out", "other", "--body", "none.h5", *SHORT], ["none.h5"])
+    bench.refused(["prepare", "brain.toml", "--out", "direct"], ["direct", "run"])
+    bench.accepted("run", "brain.toml", "--out", "left", "--quiet", *SHORT, "--set", "geometry.hemisphere=left",
+                   "--set", "geometry.particles=1500")
+
+
+def nifti(labels, size, voxel=1.0, datatype=2, bits=8, dims=None):
+    """A NIfTI-1 file of bytes, centred on the origin."""
+    header = bytearray(352)
+    struct.pack_into("<i", header, 0, 348)
+    struct.pack_into("<8h", header, 40, *(dims or (3, *size, 1, 1, 1, 1)))
+    struct.pack_into("<2h", header, 70, datatype, bits)
+    struct.pack_into("<8f", header, 76, 1, voxel, voxel, voxel, 1, 1, 1, 1)
+    struct.pack_into("<2f", header, 108, 352, 1)
+    header[123] = 2 # mm
+    struct.pack_into("<2h", header, 252, 0, 1)
+    for row in range(3):
+        values = [0.0, 0.0, 0.0, -0.5 * voxel * (size[row] - 1)]
+        values[row] = voxel
+        struct.pack_into("<4f", header, 280 + 16 * row, *values)
+    header[344:348] = b"n+1\0"
+    return bytes(header) + bytes(labels)
+
+
+def ball_labels(size, radius, label=2):
+    middle = (size - 1) / 2
+    return [label if math.dist((x, y, z), (middle,) * 3) <= radius else 0 for z in range(size) for y in range(size)
+            for x in range(size)]
+
+
+def labels(bench):
+    size, radius = 40, 14
+    image = nifti(ball_labels(size, radius), (size,) * 3)
+    bench.write("ball.nii.gz", gzip.compress(image))
+    bench.write("ball.nii", image)
+    bench.write("case.toml", FILE_CASE.format("ball.nii.gz", ""))
+    bench.accepted("prepare", "case.toml", "--out", "ball", "--set", "geometry.labels=[2]")
+    close(bench, report(bench, "ball").get("volume_mm3"), 4 / 3 * math.pi * radius**3, 150.0, "volume of the ball")
+    bench.check(report(bench, "ball").get("source") == "labels", "the report does not say that the body is from labels")
+
+    def refused(name, content, parts, *more):
+        bench.write(name, content)
+        bench.refused(["run", "case.toml", "--out", "out", "--set", f"geometry.file={name}", *more], parts)
+
+    refused("cut.nii.gz", gzip.compress(image)[:-200], ["cut.nii.gz"])
+    refused("magic.nii", image[:344] + b"abcd" + image[348:], ["magic.nii"])
+    refused("short.nii", image[:-1000], ["short.nii"])
+    refused("series.nii", nifti(ball_labels(20, 8) * 3, (20,) * 3, dims=(4, 20, 20, 20, 3, 1, 1, 1)), ["series.nii", "3"])
+    refused("ball.nii", image, ["ball.nii", "7", "2"], "--set", "geometry.labels=[7]")
+    refused("empty.nii", nifti([0] * 8000, (20,) * 3), ["empty.nii"])
+    refused("absurd.nii", nifti(ball_labels(20, 8), (20,) * 3, voxel=1000.0), ["absurd.nii"])
+
+
+def without(surface, share):
+    """A share of the triangles deleted."""
+    chance = random.Random(3)
+    return surface[0], [t for t in surface[1] if chance.random() > share]
+
+
+def dirty_surfaces(bench):
+    ball = _surfaces.icosphere(10.0, 4)
+    pierced = _surfaces.moved(ball, 0, tuple(-0.2 * x for x in ball[0][0]))
+    small = _surfaces.icosphere(2.0, 2, (0.0, 0.0, 30.0))
+    dirty = {"holes": without(ball, 0.01), "inside_out": _surfaces.flipped(ball), "crossing": pierced,
+             "shells": _surfaces.joined(ball, small)}
+    for name, surface in dirty.items():
+        bench.write(f"{name}.off", _surfaces.off(surface))
+        bench.write("case.toml", FILE_CASE.format(f"{name}.off", ""))
+        bench.refused(["prepare", "case.toml", "--out", f"{name}_none"], [f"{name}.off"])
+        for repair in ("auto", "wrap"):
+            folder = f"{name}_{repair}"
+            bench.accepted("prepare", "case.toml", "--out", folder, "--quiet", "--set", f"geometry.repair={repair}")
+            got = report(bench, folder)
+            bench.check(got.get("notes"), f"{folder}: the report says nothing")
+            if (name, repair) != ("shells", "wrap"):
+                close(bench, got.get("volume_mm3", 0) / _surfaces.volume(ball), 1.0, 0.01, f"{folder}: volume")
+
+
+def tet_box(cells, edge):
+    """A cube of cells³ cubes, each cut into six tets."""
+    n = cells + 1
+    points = [(edge * x, edge * y, edge * z) for z in range(n) for y in range(n) for x in range(n)]
+    tets = []
+    for z in range(cells):
+        for y in range(cells):
+            for x in range(cells):
+                corner = [(z + (k >> 2)) * n * n + (y + (k >> 1 & 1)) * n + x + (k & 1) for k in range(8)]
+                tets += [tuple(corner[k] for k in tet) for tet in FREUDENTHAL]
+    return points, tets
+
+
+def netgen(mesh):
+    points, tets = mesh
+    lines = [str(len(points)), *("{} {} {}".format(*p) for p in points), str(len(tets))]
+    lines += ["1 {} {} {} {}".format(*(k + 1 for k in tet)) for tet in tets]
+    return "\n".join([*lines, "0"]) + "\n"
+
+
+def tets(bench):
+    box = tet_box(12, 1.0)
+    bench.write("box.mesh", netgen(box))
+    bench.write("case.toml", FILE_CASE.format("box.mesh", '[tissue]\nthickness_mm = 2.5\n'))
+    for arrangement in ("tet_nodes", "thinned", "body_fitted"):
+        particles = () if arrangement == "tet_nodes" else ("--set", "geometry.particles=1200")
+        bench.accepted("prepare", "case.toml", "--out", arrangement, "--quiet", "--set", f"geometry.arrangement={arrangement}",
+                       *particles)
+        got = report(bench, arrangement)
+        close(bench, got.get("particle_volume_sum_mm3"), 1728.0, 20.0, f"{arrangement}: volume")
+        if arrangement == "tet_nodes":
+            bench.check(got.get("particles") == len(box[0]), f"{got.get('particles')} particles, expected {len(box[0])}")
+    bench.accepted("run", "case.toml", "--out", "run", "--quiet", "--set", "geometry.arrangement=tet_nodes",
+                   "--set", "time.end=0.02")
+    bench.write("twisted.mesh", netgen((box[0], [(a, b, d, c) for a, b, c, d in box[1]])))
+    bench.accepted("prepare", "case.toml", "--out", "twisted", "--set", "geometry.file=twisted.mesh")
+    bench.write("apart.mesh", netgen((box[0], [box[1][0], box[1][-1]])))
+    bench.refused(["prepare", "case.toml", "--out", "apart", "--set", "geometry.file=apart.mesh"], ["apart.mesh"])
+    bench.write("ball.off", _surfaces.off(_surfaces.icosphere(10.0, 3)))
+    bench.refused(["prepare", "case.toml", "--out", "b", "--set", "geometry.file=ball.off", "--set",
+                   "geometry.arrangement=tet_nodes"], ["geometry.arrangement", "tet mesh"])
+
+
+def maps(bench):
+    ball = _surfaces.icosphere(10.0, 3)
+    bench.write("ball.off", _surfaces.off(ball))
+    bench.write("growth.csv", "".join(f"{1 + 0.05 * x!r}\n" for x, _, _ in ball[0]))
+    bench.write("thickness.csv", "".join(f"{3.0 + 0.1 * x!r}\n" for x, _, _ in ball[0]))
+    bench.write("case.toml", FILE_CASE.format("ball.off", '[map]\ngrowth_file = "growth.csv"\nthickness_file = "thickness.csv"'))
+    bench.accepted("run", "case.toml", "--out", "run", "--quiet", "--set", "time.end=0.02")
+    bench.check("growth_file" in (bench.folder / "run/case.toml").read_text(), "the resolved case lacks the map")
+    bench.write("short.csv", "1\n2\n")
+    bench.write("nan.csv", "nan\n" * len(ball[0]))
+    for name, parts in (("short.csv", [str(len(ball[0]))]), ("nan.csv", ["nan.csv"]), ("none.csv", ["none.csv"])):
+        bench.refused(["run", "case.toml", "--out", "out", "--set", f"map.growth_file={name}"], parts)
+    bench.write("sphere.toml", '[geometry]\nparticles = 1000\n[map]\ngrowth_file = "growth.csv"\n')
+    bench.refused(["run", "sphere.toml", "--out", "out"], ["map.growth_file", "surface file"])
+
+
+if __name__ == "__main__":
+    _command.main(__doc__, phantom, labels, dirty_surfaces, tets, maps)

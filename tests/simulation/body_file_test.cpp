@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/simulation/body_file.hpp"
+
+#include "corticle/base/error.hpp"
+#include "corticle/io/checkpoint.hpp"
+#include "io/temporary_folder.hpp"
+#include "tlsph/small_body.hpp"
+
+#include <gtest/gtest.h>
+
+namespace corticle
+{
+
+TEST(BodyFile, ReadsBackToTheSameBits)
+{
+    const TemporaryFolder folder;
+    const Options options = test::sphere_options(2500);
+    const Body& written = test::small_sphere();
+    write_body(folder / "body.h5", written, options);
+    Body body = read_body(folder / "body.h5", options);
+    connect_body(options, body);
+    EXPECT_EQ(body.cloud.positions, written.cloud.positions);
+    EXPECT_EQ(body.cloud.volumes, written.cloud.volumes);
+    EXPECT_EQ(body.cloud.surface_particles, written.cloud.surface_particles);
+    EXPECT_EQ(body.cloud.surface_triangles, written.cloud.surface_triangles);
+    EXPECT_EQ(body.cloud.spacing, written.cloud.spacing);
+    EXPECT_EQ(body.surface.vertices, written.surface.vertices);
+    EXPECT_EQ(body.surface.triangles, written.surface.triangles);
+    EXPECT_EQ(body.tissue.depth, written.tissue.depth);
+    EXPECT_EQ(body.tissue.normal, written.tissue.normal);
+    EXPECT_EQ(body.tissue.theta, written.tissue.theta);
+    EXPECT_EQ(body.tissue.regional_rate, written.tissue.regional_rate);
+    EXPECT_EQ(body.particles.pairs.index, written.particles.pairs.index);
+    EXPECT_EQ(body.particles.weight, written.particles.weight);
+}
+
+TEST(BodyFile, TissueMayDifferAndGeometryMayNot)
+{
+    const TemporaryFolder folder;
+    write_body(folder / "body.h5", test::small_sphere(), test::sphere_options(2500));
+    Options options = test::sphere_options(2500);
+    options.tissue.mu_cortex = 2.0;
+    EXPECT_NO_THROW(read_body(folder / "body.h5", options));
+    options.geometry.seed = 2;
+    const std::string message = message_of<InputError>([&] { read_body(folder / "body.h5", options); });
+    EXPECT_NE(message.find("geometry.seed: 1 -> 2"), std::string::npos) << message;
+}
+
+TEST(BodyFile, RefusesWhatIsNoBody)
+{
+    const TemporaryFolder folder;
+    const Options options = test::sphere_options(2500);
+    EXPECT_THROW(read_body(folder / "none.h5", options), InputError);
+    put_bytes(folder / "text.h5", "no body");
+    EXPECT_THROW(read_body(folder / "text.h5", options), InputError);
+    Checkpoint checkpoint;
+    checkpoint.vectors["position"] = {{0.0, 0.0, 0.0}};
+    write_checkpoint(folder / "checkpoint.h5", checkpoint);
+    const std::string message = message_of<InputError>([&] { read_body(folder / "checkpoint.h5", options); });
+    EXPECT_NE(message.find("corticle prepare"), std::string::npos) << message;
+}
+
+} // namespace corticle

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/simulation/body_maps.hpp"
+
+#include "corticle/base/error.hpp"
+#include "corticle/geometry/shapes.hpp"
+#include "corticle/io/nifti.hpp"
+#include "io/temporary_folder.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+namespace corticle
+{
+
+namespace
+{
+
+/// A ball of radius 10 mm and a few points in it.
+class BodyMapsTest : public ::testing::Test
+{
+  protected:
+    std::string write(std::string_view name, std::string_view text) const
+    {
+        put_bytes(folder_ / name, text);
+        return (folder_ / name).string();
+    }
+
+    /// One number a vertex.
+    template <class Value>
+    std::string vertex_map(std::string_view name, Value&& value) const
+    {
+        std::string text;
+        for (const Vec3& X : ball_.vertices)
+        {
+            text += fmt::format("{:.17g}\n", value(X));
+        }
+        return write(name, text);
+    }
+
+    /// Labels of a volume of 24³ mm about the origin.
+    template <class Label>
+    std::string volume_map(std::string_view name, Label&& label) const
+    {
+        LabelVolume image{{24, 24, 24}, {Mat3::identity(), {-11.5, -11.5, -11.5}}, {}};
+        for (int z = 0; z < 24; ++z)
+        {
+            for (int y = 0; y < 24; ++y)
+            {
+                for (int x = 0; x < 24; ++x)
+                {
+                    image.labels.push_back(label(image.frame.position({double(x), double(y), double(z)})));
+                }
+            }
+        }
+        write_nifti(folder_ / name, image);
+        return (folder_ / name).string();
+    }
+
+    BodyMaps read(const MapOptions& options) const { return read_body_maps(options, ball_, points_); }
+    std::string refusal(const MapOptions& options) const
+    {
+        return message_of<InputError>([&] { read(options); });
+    }
+
+    TemporaryFolder folder_;
+    TriangleMesh ball_ = make_ellipsoid({10.0, 10.0, 10.0}, 1.0);
+    std::vector<Vec3> points_{{9.0, 0.0, 0.0}, {-5.0, 1.0, 2.0}, {0.0, 8.0, 0.5}, {3.0, -4.0, -6.0}};
+};
+
+} // namespace
+
+TEST_F(BodyMapsTest, NoMapsGiveTheSameGrowthEverywhere)
+{
+    const BodyMaps maps = read({});
+    EXPECT_EQ(maps.growth, std::vector<double>(points_.size(), 1.0));
+    EXPECT_TRUE(maps.thickness.empty());
+}
+
+TEST_F(BodyMapsTest, NumbersAreInterpolatedAtTheClosestPoint)
+{
+    MapOptions options;
+    options.growth_file = vertex_map("growth.csv", [](const Vec3& X) { return 1.0 + 0.05 * X.x; });
+    options.thickness_file = vertex_map("thickness.csv", [](const Vec3& X) { return 2.0 + 0.1 * X.z; });
+    const BodyMaps maps = read(options);
+    for (std::size_t i = 0; i < points_.size(); ++i)
+    {
+        // A function linear in X is interpolated exactly; the closest point is on the ray but for the facets.
+        const Vec3 foot = 10.0 * normalized(points_[i]);
+        EXPECT_NEAR(maps.growth[i], 1.0 + 0.05 * foot.x, 0.01) << i;
+        EXPECT_NEAR(maps.thickness[i], 2.0 + 0.1 * foot.z, 0.02) << i;
+    }
+}
+
+TEST_F(BodyMapsTest, RegionsTakeTheirFactorFromTheTable)
+{
+    MapOptions options;
+    options.region_file = vertex_map("regions.csv", [](const Vec3& X) { return X.x > 0.0 ? 2 : 1; });
+    options.region_table = write("table.csv", "label,growth\n1,0.5\n2,3\n");
+    EXPECT_EQ(read(options).growth, (std::vector<double>{3.0, 0.5, read(options).growth[2], 3.0}));
+    options.region_file = volume_map("regions.nii.gz", [](const Vec3& X) { return X.y > 0.0 ? 2 : 1; });
+    EXPECT_EQ(read(options).growth, (std::vector<double>{read(options).growth[0], 3.0, 3.0, 0.5}));
+}
+
+TEST_F(BodyMapsTest, WhatIsStillDoesNotGrow)
+{
+    MapOptions options;
+    options.growth_file = vertex_map("growth.csv", [](const Vec3&) { return 2.0; });
+    options.still_file = volume_map("still.nii", [](const Vec3& X) { return X.z < -1.0 ? 1 : 0; });
+    const std::vector<double> growth = read(options).growth;
+    EXPECT_NEAR(growth[1], 2.0, 1e-12);
+    EXPECT_EQ(growth[3], 0.0);
+}
+
+TEST_F(BodyMapsTest, RefusesInOneLine)
+{
+    MapOptions options;
+    options.growth_file = write("short.csv", "1\n2\n3\n");
+    EXPECT_NE(refusal(options).find(fmt::format("{}", ball_.vertices.size())), std::string::npos);
+    options.growth_file = vertex_map("nan.csv", [](const Vec3& X) { return X.x > 9.0 ? std::nan("") : 1.0; });
+    EXPECT_FALSE(refusal(options).empty());
+    options.growth_file = vertex_map("negative.csv", [](const Vec3& X) { return X.x; });
+    EXPECT_NE(refusal(options).find("expected numbers of at least 0"), std::string::npos);
+    options = {};
+    options.thickness_file = vertex_map("zero.csv", [](const Vec3&) { return 0.0; });
+    EXPECT_NE(refusal(options).find("expected numbers above 0"), std::string::npos);
+    options = {};
+    options.region_file = vertex_map("regions.csv", [](const Vec3& X) { return X.x > 0.0 ? 2 : 1; });
+    options.region_table = write("table.csv", "label,growth\n1,0.5\n");
+    EXPECT_NE(refusal(options).find("no line for label 2"), std::string::npos);
+    options.region_table = write("other.csv", "label,rate\n1,0.5\n2,1\n");
+    EXPECT_NE(refusal(options).find("no column growth"), std::string::npos);
+    options.region_file = vertex_map("fractions.csv", [](const Vec3&) { return 1.5; });
+    EXPECT_NE(refusal(options).find("expected a whole number"), std::string::npos);
+}
+
+TEST_F(BodyMapsTest, MapsByVerticesNeedASurface)
+{
+    MapOptions options;
+    options.growth_file = vertex_map("growth.csv", [](const Vec3&) { return 1.0; });
+    EXPECT_NE(message_of<InputError>([&] { read_body_maps(options, {}, points_); }).find("not made from a surface file"),
+              std::string::npos);
+}
+
+} // namespace corticle
