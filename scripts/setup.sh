@@ -8,7 +8,7 @@ set -euo pipefail
 packages=(
     g++ cmake make python3
     libvtk9-dev xvfb xauth libgl1-mesa-dri
-    libcgal-dev libhdf5-dev
+    libcgal-dev libhdf5-dev zlib1g-dev
     libtomlplusplus-dev libcli11-dev libspdlog-dev libfmt-dev nlohmann-json3-dev
     libgtest-dev libgmock-dev libbenchmark-dev clang-format
 )

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/geometry/triangle_mesh.hpp"
+#include "corticle/imaging/label_volume.hpp"
+#include "corticle/imaging/mask_report.hpp"
+#include "corticle/imaging/options.hpp"
+
+namespace corticle
+{
+
+struct ImagedSurface
+{
+    TriangleMesh surface; ///< scanner millimetres (RAS), closed, outward
+    MaskReport report;
+};
+
+/// From tissue labels to a clean closed surface of one component: the chosen labels; their largest component; closing;
+/// cavities filled; one hemisphere, if asked; Gaussian smoothing, with the isosurface that encloses the volume of the
+/// mask; handles removed (docs/theory/imaging.md). The surface is not self-intersecting; its triangles are about half a
+/// voxel.
+/// @throws InputError, one line, for options out of range, a label that is not there, and a mask that ends up empty.
+ImagedSurface surface_from_labels(const LabelVolume& image, const MaskOptions& options);
+
+} // namespace corticle
