@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/base/vec3.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace corticle
+{
+
+/// Keeps `count` of many points at random (thesis section 2.4.1): chance decides which, and every part of the body gets
+/// its share of them by volume, however dense the points there are. Where even all points of a part are fewer than its
+/// share, all are kept. Nothing keeps two chosen points apart.
+/// @param points  finite [mm]
+/// @return indices of the kept points, ascending
+/// @throws InputError when count is not from 1 to the number of points
+std::vector<std::int32_t> thin_random(std::span<const Vec3> points, std::int64_t count, std::uint64_t seed);
+
+/// Keeps `count` of many points, evenly spread whatever their density: takes away, one at a time, the point that is the
+/// most crowded by those left (weighted sample elimination, Yuksel 2015). Of more than five times as many, five times
+/// as many are chosen at random first.
+/// @param points  finite [mm]
+/// @param seed    decides between points that are equally crowded
+/// @return indices of the kept points, ascending
+/// @throws InputError when count is not from 1 to the number of points
+std::vector<std::int32_t> thin_uniform(std::span<const Vec3> points, std::int64_t count, std::uint64_t seed);
+
+} // namespace corticle
