@@ -17,7 +17,6 @@ namespace corticle
 namespace
 {
 
-constexpr double lines_per_spacing = 6.0;
 constexpr double reach = 1.25;        ///< farthest owner of a place, in spacings: holes of a relaxed cloud are smaller
 constexpr std::int64_t batch = 16384; ///< lines whose shares are held at a time
 constexpr double least_volume = 1e-3; ///< of a cell that no line met, in cubic spacings
@@ -139,7 +138,8 @@ std::vector<Share> shares_of_lines(const LineLattice& lines, const CellGrid& gri
 
 } // namespace
 
-std::vector<double> cell_volumes(const TriangleMesh& surface, std::span<const Vec3> points, double spacing)
+std::vector<double> cell_volumes(const TriangleMesh& surface, std::span<const Vec3> points, double spacing,
+                                 double lines_per_spacing)
 {
     const double step = spacing / lines_per_spacing;
     const LineLattice lines(surface, step);

@@ -8,6 +8,9 @@ namespace corticle
 
 /// Volumes of the Voronoi cells of points, cut at a closed surface [mm³]: exact along lines parallel to z, summed over
 /// a lattice of such lines, then scaled so that they sum to the enclosed volume. All are positive.
-std::vector<double> cell_volumes(const TriangleMesh& surface, std::span<const Vec3> points, double spacing);
+/// @param spacing            of the points [mm]
+/// @param lines_per_spacing  along each side of the lattice
+std::vector<double> cell_volumes(const TriangleMesh& surface, std::span<const Vec3> points, double spacing,
+                                 double lines_per_spacing = 6.0);
 
 } // namespace corticle

@@ -28,12 +28,13 @@ void Tissue::set_layer(double t)
 }
 
 std::vector<double> ellipsoid_layer(std::span<const Vec3> positions, std::span<const double> volume,
-                                    const std::array<double, 3>& semi_axes, double lambda)
+                                    const std::array<double, 3>& semi_axes, double lambda, const Vec3& centre)
 {
     std::vector<double> inside;
     inside.reserve(positions.size());
-    for (const Vec3& X : positions)
+    for (const Vec3& position : positions)
     {
+        const Vec3 X = position - centre;
         const Vec3 q{X.x / semi_axes[0], X.y / semi_axes[1], X.z / semi_axes[2]};
         const Vec3 slope{q.x / semi_axes[0], q.y / semi_axes[1], q.z / semi_axes[2]}; // gradient of |q|²/2
         const double radius = norm(q);
