@@ -15,8 +15,6 @@ namespace corticle
 namespace
 {
 
-constexpr double worst_condition = 100.0;
-
 /// Eigenvalues of a symmetric matrix by the trigonometric formula (Smith 1961), largest first.
 std::array<double, 3> symmetric_eigenvalues(const Mat3& a)
 {
@@ -41,7 +39,7 @@ void require_well_conditioned(const Particles& particles, std::span<const double
     for (std::size_t i = 0; i < condition.size(); ++i)
     {
         worst = condition[i] > condition[worst] ? i : worst;
-        bad += condition[i] > worst_condition ? 1 : 0;
+        bad += condition[i] > largest_condition ? 1 : 0;
     }
     if (bad > 0)
     {
@@ -52,7 +50,7 @@ void require_well_conditioned(const Particles& particles, std::span<const double
                                      "spacing or a larger solver.support",
                                      bad, particles.X.size(), worst, X.x, X.y, X.z,
                                      particles.pairs.begin[worst + 1] - particles.pairs.begin[worst], condition[worst],
-                                     worst_condition));
+                                     largest_condition));
     }
 }
 

@@ -27,9 +27,11 @@ struct Particles
     double spacing = 0.0; ///< [mm]
 };
 
+/// Condition number (largest over smallest eigenvalue) above which a shape matrix is refused.
+inline constexpr double largest_condition = 100.0;
+
 /// Weights and gradient corrections of a cloud.
-/// @throws InputError naming the worst particle when a shape matrix is ill-conditioned (largest over smallest
-/// eigenvalue above 100).
+/// @throws InputError naming the worst particle when a shape matrix is ill-conditioned (above largest_condition).
 Particles make_particles(const Cloud& cloud, Neighbors pairs, const TlsphOptions& options);
 
 /// Ratio of the largest to the smallest eigenvalue of a symmetric positive matrix; infinite when it is not positive.
