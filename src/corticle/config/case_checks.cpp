@@ -64,7 +64,7 @@ void check_file_keys(const GeometryOptions& geometry, const Place& place)
     require_file("geometry.labels", !geometry.mask.labels.empty());
     require_file("geometry.image_volume", geometry.mask.volume.has_value());
     require_file("geometry.hemisphere", geometry.mask.hemisphere != "both");
-    require_file("geometry.repair", geometry.repair != "none");
+    require_file("geometry.repair", geometry.repair != Repair::none);
     require_file("geometry.arrangement", geometry.arrangement != "body_fitted");
 }
 

@@ -4,6 +4,7 @@
 #include "corticle/cloud/cloud_options.hpp"
 #include "corticle/contact/options.hpp"
 #include "corticle/dynamics/options.hpp"
+#include "corticle/geometry/repair.hpp"
 #include "corticle/imaging/options.hpp"
 #include "corticle/tissue/options.hpp"
 #include "corticle/tlsph/options.hpp"
@@ -27,11 +28,12 @@ struct GeometryOptions
     std::string file;                       ///< closed triangulated surface, label volume or tet mesh
     std::string unit = "mm";                ///< of a surface or tet mesh: "mm" | "cm" | "m"
     MaskOptions mask;                       ///< of a label volume: keys labels, image_volume, closing_mm, ...
-    std::string repair = "none";            ///< of a surface that is not closed and embedded: "auto" | "wrap" | "none"
+    Repair repair = Repair::none;           ///< of a surface that is not closed and embedded
+    RepairOptions wrap;                     ///< keys wrap_alpha_mm, wrap_offset_mm
     std::optional<double> spacing_mm;       ///< either this
     std::optional<std::int64_t> particles;  ///< or this
     std::int64_t seed = 1;
-    std::string arrangement = "body_fitted"; ///< of the particles: "body_fitted" | "tet_nodes" | "thinned"
+    std::string arrangement = "body_fitted"; ///< "body_fitted" | "tet_nodes" | "thinned" | "thinned_at_random"
     std::string volumes = "cells";           ///< of the particles: "cells" | "neighbour_count"
     std::string normals = "surface";         ///< of the particles: "surface" | "divisions"
     std::int64_t normal_divisions = 8;       ///< where normals = "divisions"

@@ -26,6 +26,12 @@ inline std::vector<std::string> names<BulkRule>()
     return {"per_tissue", "uniform"};
 }
 
+template <>
+inline std::vector<std::string> names<Repair>()
+{
+    return {"auto", "wrap", "none"};
+}
+
 /// How a member of Options is read and written as a Value.
 template <class T>
 struct Member

@@ -27,10 +27,16 @@ std::vector<Parameter> geometry_parameters()
              CORTICLE_MEMBER(geometry.file)),
         choice("geometry.unit", {"mm", "cm", "m"}, "Unit of length of a surface or tet mesh.",
                CORTICLE_MEMBER(geometry.unit)),
-        choice("geometry.repair", {"none", "auto", "wrap"},
-               "What is done with a surface that is open, self-intersecting, inside-out or in several shells: refuse "
-               "it, mend it, or wrap it.",
-               CORTICLE_MEMBER(geometry.repair)),
+        parameter("geometry.repair", "", {},
+                  "What is done with a surface that is open, self-intersecting, inside-out or in several shells: mend "
+                  "it, wrap it, or refuse it.",
+                  CORTICLE_MEMBER(geometry.repair)),
+        parameter("geometry.wrap_alpha_mm", "mm", between(0.0, 1000.0),
+                  "Radius of the ball that feels the surface in a wrap; 0: chosen from its size and holes.",
+                  CORTICLE_MEMBER(geometry.wrap.alpha_mm)),
+        parameter("geometry.wrap_offset_mm", "mm", between(0.0, 1000.0),
+                  "Distance at which it does; 0: a twentieth of that radius.",
+                  CORTICLE_MEMBER(geometry.wrap.offset_mm)),
         parameter("geometry.labels", "", between(-2147483648.0, 2147483647.0),
                   "Labels of a label volume that are the body; empty: all but 0.", CORTICLE_MEMBER(geometry.mask.labels)),
         parameter("geometry.image_volume", "", at_least(0.0), "Which volume of a 4D image, counted from 0.",
@@ -54,9 +60,9 @@ std::vector<Parameter> geometry_parameters()
                   "About this many particles; instead of spacing_mm.", CORTICLE_MEMBER(geometry.particles)),
         parameter("geometry.seed", "", at_least(0.0), "Seed of the arrangement of particles.",
                   CORTICLE_MEMBER(geometry.seed)),
-        choice("geometry.arrangement", {"body_fitted", "tet_nodes", "thinned"},
-               "Particles: arranged to fit the body, the nodes of a tet mesh, or dense points thinned at random "
-               "(thesis section 2.4.1).",
+        choice("geometry.arrangement", {"body_fitted", "tet_nodes", "thinned", "thinned_at_random"},
+               "Particles: arranged to fit the body, or the nodes of a tet mesh: all, thinned evenly, or thinned at "
+               "random (thesis section 2.4.1).",
                CORTICLE_MEMBER(geometry.arrangement)),
         choice("geometry.volumes", {"cells", "neighbour_count"},
                "Volumes of the particles: exact, or by neighbour counts (thesis eqs. 25 and 26).",

@@ -42,4 +42,7 @@ struct MaskReport
     std::vector<std::string> warnings; ///< one line each
 };
 
+/// What was done, in words, one line for each step that changed something and one for the result.
+std::vector<std::string> describe(const MaskReport& report);
+
 } // namespace corticle

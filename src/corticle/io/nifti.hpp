@@ -11,6 +11,9 @@
 namespace corticle
 {
 
+/// Is this, by its name, a NIfTI file: .nii, .nii.gz, or the .hdr and .img of the older pairs?
+bool is_nifti(const std::filesystem::path& file);
+
 /// Reads tissue labels from a NIfTI-1 or NIfTI-2 file of one piece (`.nii`, or gzip-compressed, whatever its name), of
 /// either byte order, with integer or float numbers; scl_slope and scl_inter are applied, and numbers that are whole but
 /// for round-off become labels. The frame is that of sform if sform_code > 0, else of qform if qform_code > 0, else the

@@ -149,6 +149,12 @@ void skip(InflatingStream& stream, std::size_t count, std::string& piece, const 
 
 } // namespace
 
+bool is_nifti(const std::filesystem::path& file)
+{
+    const std::string name = file.filename().string();
+    return name.ends_with(".nii") || name.ends_with(".nii.gz") || name.ends_with(".hdr") || name.ends_with(".img");
+}
+
 LabelVolume parse_nifti(std::string_view bytes, const std::string& name, std::optional<std::int64_t> volume)
 {
     InflatingStream stream(bytes, name);

@@ -53,7 +53,7 @@ void set_depth(const SurfaceTree& tree, Body& body)
 void set_cloud(const Options& options, const BodySource& source, Body& body)
 {
     const GeometryOptions& geometry = options.geometry;
-    const double spacing = resolve_resolution(options, source.volume).spacing_mm;
+    const auto [spacing, particles] = resolve_resolution(options, source.volume);
     if (geometry.arrangement != "body_fitted")
     {
         if (!source.tets)
@@ -62,9 +62,18 @@ void set_cloud(const Options& options, const BodySource& source, Body& body)
                                          "is none; expected a tet mesh, or arrangement = \"body_fitted\"",
                                          geometry.arrangement, geometry.file));
         }
-        TetCloud nodes = cloud_from_tets(*source.tets, tet_cloud_options(options));
+        TetCloudOptions chosen;
+        chosen.seed = static_cast<std::uint64_t>(geometry.seed);
+        chosen.thinning = geometry.arrangement == "thinned" ? Thinning::uniform : Thinning::random;
+        if (geometry.arrangement != "tet_nodes")
+        {
+            chosen.particles = particles;
+        }
+        TetCloud nodes = cloud_from_tets(*source.tets, chosen);
         body.cloud = std::move(nodes.cloud);
         body.surface = std::move(nodes.surface);
+        body.report.remesh = nodes.remesh;
+        std::ranges::move(nodes.warnings, std::back_inserter(body.report.warnings));
         return;
     }
     body.surface = geometry.shape == "file"

@@ -44,7 +44,7 @@ void take_surface(const GeometryOptions& options, BodySource& source)
 {
     source.kind = "surface";
     source.map_surface = read_surface_unmerged(options.file, millimetres_per(options.unit));
-    RepairedSurface repaired = repair_surface(source.map_surface, options.file, repair_options(options));
+    RepairedSurface repaired = repair_surface(source.map_surface, options.file, options.repair, options.wrap);
     source.surface = std::move(repaired.mesh);
     source.notes = std::move(repaired.report.lines);
 }
