@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/geometry/triangle_mesh.hpp"
+#include "corticle/geometry/tet_mesh.hpp"
 #include "corticle/io/field.hpp"
 
 #include <filesystem>
@@ -18,6 +18,10 @@ void write_surface_vtp(const std::filesystem::path& file, std::span<const Vec3> 
 /// Writes particles as .vtu, one vertex cell each, with point fields; `ids` becomes the integer array "id".
 void write_particles_vtu(const std::filesystem::path& file, std::span<const Vec3> points,
                          std::span<const std::int32_t> ids, std::span<const Field> point_fields);
+
+/// Writes a tet mesh as .vtu with point fields; read_tets reads its mesh back to the bit.
+void write_tets_vtu(const std::filesystem::path& file, std::span<const Vec3> points, std::span<const Tet> tets,
+                    std::span<const Field> point_fields);
 
 /// Writes the ParaView time series: (time, file name relative to the .pvd).
 void write_pvd(const std::filesystem::path& file, std::span<const std::pair<double, std::string>> frames);
