@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Feeds damaged tet meshes to the reader, and what it accepts to the repair. Usage: tet_reader [seconds].
+#include "corticle/io/tet_reader.hpp"
+
+#include "corticle/geometry/validate_tets.hpp"
+#include "corticle/io/vtk_files.hpp"
+#include "fuzz/reader_fuzz.hpp"
+#include "geometry/simple_tets.hpp"
+#include "io/tet_samples.hpp"
+
+namespace corticle
+{
+
+namespace
+{
+
+std::vector<Sample> samples()
+{
+    const TetMesh mesh = two_tets();
+    std::vector<Sample> result = tet_samples(mesh);
+    for (Sample& sample : tet_samples(test::tet_box(2, {0, 0, 0}, {1, 1, 1})))
+    {
+        result.push_back(std::move(sample));
+    }
+    const TemporaryFolder folder;
+    write_tets_vtu(folder / "a.vtu", mesh.vertices, mesh.tets, {});
+    result.emplace_back("vtu", bytes_of(folder / "a.vtu"));
+    return result;
+}
+
+} // namespace
+
+} // namespace corticle
+
+int main(int argc, char** argv)
+{
+    using namespace corticle;
+    limit_memory();
+    return fuzz_reader(argc > 1 ? std::atof(argv[1]) : 10.0, samples(),
+                       {"\"", "<", "/>", "<!--", "$", "$EndNodes\n", "$Nodes\n", "$Elements\n", "4.1 1 8", "2.2 1 8",
+                        "Tetrahedra\n", "Vertices\n", "End", "#"},
+                       [](const std::string& kind, const std::string& bytes)
+                       { require_valid_tets(parse_tets(bytes, "fuzz " + kind), "fuzz " + kind); });
+}
