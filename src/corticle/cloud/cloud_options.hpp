@@ -5,6 +5,9 @@
 namespace corticle
 {
 
+/// Surface edges over the spacing: makes the cell of a surface particle about half of an inner one.
+inline constexpr double edge_per_spacing = 1.05;
+
 struct CloudOptions
 {
     double spacing = 0.0; ///< [mm]

@@ -4,7 +4,7 @@
 #include "corticle/base/error.hpp"
 #include "corticle/cloud/cell_volumes.hpp"
 #include "corticle/cloud/interior.hpp"
-#include "corticle/cloud/space_filling_curve.hpp"
+#include "corticle/cloud/ordered_cloud.hpp"
 
 #include <fmt/format.h>
 
@@ -46,23 +46,7 @@ Cloud fill_surface(const TriangleMesh& surface, const CloudOptions& options)
     const std::vector<Vec3> inside = scatter_inside(tree, inside_count, options);
     points.insert(points.end(), inside.begin(), inside.end());
     relax_inside(tree, options.spacing, points);
-    const std::vector<double> volumes = cell_volumes(surface, points, options.spacing);
-
-    Cloud cloud;
-    const std::vector<std::int32_t> order = hilbert_order(points);
-    cloud.surface_particles.resize(surface.vertices.size());
-    for (std::size_t k = 0; k < order.size(); ++k)
-    {
-        cloud.positions.push_back(points[order[k]]);
-        cloud.volumes.push_back(volumes[order[k]]);
-        if (order[k] < surface_count)
-        {
-            cloud.surface_particles[order[k]] = static_cast<std::int32_t>(k);
-        }
-    }
-    cloud.surface_triangles = surface.triangles;
-    cloud.spacing = std::cbrt(volume / static_cast<double>(points.size()));
-    return cloud;
+    return ordered_cloud(points, cell_volumes(surface, points, options.spacing), surface);
 }
 
 } // namespace corticle

@@ -123,8 +123,10 @@ struct PairCrowding
     }
 };
 
-std::vector<double> crowding_of_all(std::span<const Vec3> points, const CellGrid& grid, const PairCrowding& pair)
+std::vector<double> crowding_of_all(std::span<const Vec3> points, std::span<const Vec3> fixed, const CellGrid& grid,
+                                    const PairCrowding& pair)
 {
+    const CellGrid fixed_grid(fixed, pair.reach());
     std::vector<double> crowding(points.size());
     parallel_for(std::ssize(points),
                  [&](std::int64_t i)
@@ -132,19 +134,21 @@ std::vector<double> crowding_of_all(std::span<const Vec3> points, const CellGrid
                      double sum = 0.0;
                      grid.near(points[i], [&](std::int32_t j, const Vec3& p)
                                { sum += j == i ? 0.0 : pair(squared_norm(p - points[i])); });
+                     fixed_grid.near(points[i],
+                                     [&](std::int32_t, const Vec3& p) { sum += pair(squared_norm(p - points[i])); });
                      crowding[i] = sum;
                  });
     return crowding;
 }
 
 /// Weighted sample elimination (Yuksel 2015).
-std::vector<std::int32_t> eliminate(std::span<const Vec3> points, std::int64_t count, std::uint64_t seed)
+std::vector<std::int32_t> eliminate(std::span<const Vec3> fixed, std::span<const Vec3> points,
+                                    std::span<const double> volumes, std::int64_t count, std::uint64_t seed)
 {
-    const std::vector<double> volumes = local_volumes(points);
     const double total = std::max(std::accumulate(volumes.begin(), volumes.end(), 0.0), 1e-300);
     const PairCrowding pair(total, static_cast<double>(points.size()), static_cast<double>(count));
     const CellGrid grid(points, pair.reach());
-    std::vector<double> crowding = crowding_of_all(points, grid, pair);
+    std::vector<double> crowding = crowding_of_all(points, fixed, grid, pair);
 
     std::priority_queue<Candidate> queue;
     const auto push = [&](std::int32_t i) {
@@ -190,8 +194,14 @@ std::vector<std::int32_t> eliminate(std::span<const Vec3> points, std::int64_t c
 
 std::vector<std::int32_t> thin_random(std::span<const Vec3> points, std::int64_t count, std::uint64_t seed)
 {
+    return thin_random_by_volume(points, local_volumes(points), count, seed);
+}
+
+std::vector<std::int32_t> thin_random_by_volume(std::span<const Vec3> points, std::span<const double> volumes,
+                                                std::int64_t count, std::uint64_t seed)
+{
     require_count(points, count);
-    const std::vector<double> probability = inclusion_probabilities(local_volumes(points), count);
+    const std::vector<double> probability = inclusion_probabilities(volumes, count);
     // Systematic sampling: a point is taken where the running sum of probabilities passes u, u + 1, u + 2, ...
     double sum = 0.0;
     double next = hash_uniform(seed, points.size());
@@ -214,21 +224,30 @@ std::vector<std::int32_t> thin_random(std::span<const Vec3> points, std::int64_t
 
 std::vector<std::int32_t> thin_uniform(std::span<const Vec3> points, std::int64_t count, std::uint64_t seed)
 {
+    return thin_uniform_beside({}, points, local_volumes(points), count, seed);
+}
+
+std::vector<std::int32_t> thin_uniform_beside(std::span<const Vec3> fixed, std::span<const Vec3> points,
+                                              std::span<const double> volumes, std::int64_t count, std::uint64_t seed)
+{
     require_count(points, count);
     // Where there is more to choose from, elimination packs what is left more tightly: the choice is made equal first.
     constexpr std::int64_t choice = 5;
     if (std::ssize(points) <= choice * count)
     {
-        return eliminate(points, count, seed);
+        return eliminate(fixed, points, volumes, count, seed);
     }
-    const std::vector<std::int32_t> candidates = thin_random(points, choice * count, seed);
+    const std::vector<std::int32_t> candidates = thin_random_by_volume(points, volumes, choice * count, seed);
     std::vector<Vec3> positions;
+    // Of uniform density by now.
+    const double total = std::accumulate(volumes.begin(), volumes.end(), 0.0);
+    const std::vector<double> shares(candidates.size(), total / static_cast<double>(candidates.size()));
     positions.reserve(candidates.size());
     for (const std::int32_t i : candidates)
     {
         positions.push_back(points[i]);
     }
-    std::vector<std::int32_t> kept = eliminate(positions, count, seed);
+    std::vector<std::int32_t> kept = eliminate(fixed, positions, shares, count, seed);
     for (std::int32_t& k : kept)
     {
         k = candidates[k];

@@ -27,4 +27,13 @@ std::vector<std::int32_t> thin_random(std::span<const Vec3> points, std::int64_t
 /// @throws InputError when count is not from 1 to the number of points
 std::vector<std::int32_t> thin_uniform(std::span<const Vec3> points, std::int64_t count, std::uint64_t seed);
 
+/// thin_random for points whose volumes are known [mm³], as those of the nodes of a mesh are.
+std::vector<std::int32_t> thin_random_by_volume(std::span<const Vec3> points, std::span<const double> volumes,
+                                                std::int64_t count, std::uint64_t seed);
+
+/// thin_uniform for points whose volumes are known [mm³], beside `fixed` points, which crowd the others and are not
+/// counted.
+std::vector<std::int32_t> thin_uniform_beside(std::span<const Vec3> fixed, std::span<const Vec3> points,
+                                              std::span<const double> volumes, std::int64_t count, std::uint64_t seed);
+
 } // namespace corticle

@@ -25,9 +25,6 @@ namespace corticle
 namespace
 {
 
-/// Surface edges over the spacing: makes the cell of a surface particle about half of an inner one.
-constexpr double edge_per_spacing = 1.05;
-
 /// Depth and normal of every particle from the closest point of the surface; exact on the surface itself.
 void set_depth(const SurfaceTree& tree, Body& body)
 {

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/cloud/ordered_cloud.hpp"
+
+#include "corticle/cloud/space_filling_curve.hpp"
+
+#include <cmath>
+
+namespace corticle
+{
+
+Cloud ordered_cloud(std::span<const Vec3> points, std::span<const double> volumes, const TriangleMesh& surface)
+{
+    Cloud cloud;
+    const std::vector<std::int32_t> order = hilbert_order(points);
+    cloud.surface_particles.resize(surface.vertices.size());
+    for (std::size_t k = 0; k < order.size(); ++k)
+    {
+        cloud.positions.push_back(points[order[k]]);
+        cloud.volumes.push_back(volumes[order[k]]);
+        if (static_cast<std::size_t>(order[k]) < surface.vertices.size())
+        {
+            cloud.surface_particles[order[k]] = static_cast<std::int32_t>(k);
+        }
+    }
+    cloud.surface_triangles = surface.triangles;
+    const double volume = enclosed_volume(surface.vertices, surface.triangles);
+    cloud.spacing = std::cbrt(volume / static_cast<double>(points.size()));
+    return cloud;
+}
+
+} // namespace corticle

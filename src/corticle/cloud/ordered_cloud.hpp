@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/cloud/cloud.hpp"
+
+#include <span>
+
+namespace corticle
+{
+
+/// A cloud of points [mm] with their volumes [mm³], numbered along a space-filling curve. The first points are the
+/// vertices of the surface. The spacing is the cube root of the volume per particle.
+Cloud ordered_cloud(std::span<const Vec3> points, std::span<const double> volumes, const TriangleMesh& surface);
+
+} // namespace corticle
