@@ -67,10 +67,10 @@ TEST(DivisionNormals, PiecesOfABallAreEqual)
 
 TEST(DivisionNormals, OnASphereAreWithinTheSizeOfATriangle)
 {
-    // The circumscribed sphere of every triangle is the sphere, so all normal lines pass through its centre and the
-    // error is the angle to the nearest of them in the piece. Triangles have edges of about 1 on a radius of 10: 3.3
-    // degrees are the circumradius; beside a border of the piece the triangle across is not allowed, which adds one
-    // triangle more.
+    // All normal lines pass close by the centre (through it, if their points were the circumcentres of the triangles),
+    // so the error is about the angle to the nearest of them in the piece. Edges of about 1 on a radius of 10 are
+    // circumradii of 3.3 degrees; beside a border of the piece, where the triangle across is not allowed, one triangle
+    // more.
     const TriangleMesh surface = make_ellipsoid({10.0, 10.0, 10.0}, 1.0);
     const NormalLines lines = triangle_normal_lines(surface);
     const std::vector<Vec3> particles = ball_points(10.0, 4000);
