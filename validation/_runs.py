@@ -118,7 +118,7 @@ def describe(folder):
                                             "zero_mode_share")}
     result["onset_t"] = summary["onset_t"]
     result["most_overlap"] = max(row["overlap_area_share"] for row in rows)
-    result["most_penetration_in_spacings"] = max(row["max_penetration"] for row in rows) / summary["spacing_mm"]
+    result["most_penetration_in_spacings"] = max(row["max_penetration_mm"] for row in rows) / summary["spacing_mm"]
     result["least_J"] = min(row["J_min"] for row in rows)
     return result | {"half": half, "end": end}
 

@@ -3,6 +3,7 @@
 
 #include "corticle/geometry/validate.hpp"
 #include "corticle/io/surface_reader.hpp"
+#include "corticle/metrics/fold_measures.hpp"
 #include "corticle/metrics/surface_measures.hpp"
 
 #include <fmt/format.h>
@@ -14,26 +15,48 @@ namespace corticle
 namespace
 {
 
-void print_json(const SurfaceMeasures& measures)
+struct Line
+{
+    std::string_view key;
+    std::string_view unit;
+    double value;
+};
+
+/// Keys as in summary.json.
+std::vector<Line> lines_of(const TriangleMesh& surface)
+{
+    const SurfaceMeasures measures = measure_surface(surface.vertices, surface.triangles);
+    const FoldFields fields = fold_fields(surface.vertices, surface.triangles);
+    const FoldMeasures folds = measure_folds(surface.vertices, surface.triangles, fields);
+    std::vector<Line> lines{{"area_mm2", "mm2", measures.area_mm2},
+                            {"volume_mm3", "mm3", measures.volume_mm3},
+                            {"area_per_volume", "1/mm", measures.area_per_volume},
+                            {"hull_area_mm2", "mm2", measures.hull_area_mm2},
+                            {"gi_hull", "-", measures.gi_hull},
+                            {"gi_sphere", "-", measures.gi_sphere}};
+    for (const FoldColumn& column : fold_columns())
+    {
+        lines.push_back({column.key, column.unit, folds.*column.value});
+    }
+    return lines;
+}
+
+void print_json(std::span<const Line> lines)
 {
     nlohmann::ordered_json json;
-    json["area_mm2"] = measures.area_mm2;
-    json["volume_mm3"] = measures.volume_mm3;
-    json["area_per_volume"] = measures.area_per_volume;
-    json["hull_area_mm2"] = measures.hull_area_mm2;
-    json["gi_hull"] = measures.gi_hull;
-    json["gi_sphere"] = measures.gi_sphere;
+    for (const Line& line : lines)
+    {
+        json[std::string(line.key)] = line.value;
+    }
     fmt::print("{}\n", json.dump(2));
 }
 
-void print_text(const SurfaceMeasures& measures)
+void print_text(std::span<const Line> lines)
 {
-    fmt::print("area            {:.8g} mm2\n", measures.area_mm2);
-    fmt::print("volume          {:.8g} mm3\n", measures.volume_mm3);
-    fmt::print("area / volume   {:.6g} 1/mm\n", measures.area_per_volume);
-    fmt::print("hull area       {:.8g} mm2\n", measures.hull_area_mm2);
-    fmt::print("gi_hull         {:.6g}\n", measures.gi_hull);
-    fmt::print("gi_sphere       {:.6g}\n", measures.gi_sphere);
+    for (const Line& line : lines)
+    {
+        fmt::print("{:<28}{:.8g} {}\n", line.key, line.value, line.unit);
+    }
 }
 
 } // namespace
@@ -42,8 +65,8 @@ int measure_command(const MeasureArguments& arguments)
 {
     const TriangleMesh surface = read_surface(arguments.surface, millimetres_per(arguments.unit));
     require_valid_surface(surface, arguments.surface.string());
-    const SurfaceMeasures measures = measure_surface(surface.vertices, surface.triangles);
-    arguments.json ? print_json(measures) : print_text(measures);
+    const std::vector<Line> lines = lines_of(surface);
+    arguments.json ? print_json(lines) : print_text(lines);
     return exit_status::done;
 }
 

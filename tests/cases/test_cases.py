@@ -80,7 +80,7 @@ def check_run(bench, name, rows, summary):
     least = min(row["J_min"] for row in rows)
     bench.check(least > 0, f"{name}: J down to {least}")
     for before, after in zip(rows, rows[1:]):
-        grows = before["volume"] < after["volume"] and before["area"] < after["area"]
+        grows = before["volume_mm3"] < after["volume_mm3"] and before["area_mm2"] < after["area_mm2"]
         bench.check(grows, f"{name}: volume or area falls from t = {before['t']:.2f} to {after['t']:.2f}")
 
 

@@ -103,7 +103,7 @@ Frame make_frame(const Simulation& simulation, std::span<const Mat3> F, std::str
 }
 
 void write_frame(const std::filesystem::path& folder, const Simulation& simulation, std::span<const Mat3> F,
-                 const Frame& frame)
+                 const Frame& frame, const SurfaceArrays& arrays)
 {
     const Cloud& cloud = simulation.body().cloud;
     const Tissue& tissue = simulation.body().tissue;
@@ -124,8 +124,18 @@ void write_frame(const std::filesystem::path& folder, const Simulation& simulati
     const std::vector<double> id(cloud.surface_particles.begin(), cloud.surface_particles.end());
     const std::vector<double> theta = on_surface<1>(cloud, frame.theta);
     const std::vector<double> displacement = on_surface<3>(cloud, a.displacement);
-    const std::vector surface_fields{Field{"J", 1, frame.surface_J}, Field{"theta", 1, theta},
-                                     Field{"growth", 1, frame.surface_growth}, Field{"displacement", 3, displacement},
+    const Curvature& curvature = arrays.folds.curvature;
+    const std::vector surface_fields{Field{"J", 1, frame.surface_J},
+                                     Field{"theta", 1, theta},
+                                     Field{"growth", 1, frame.surface_growth},
+                                     Field{"displacement", 3, displacement},
+                                     Field{"mean_curvature", 1, curvature.mean},
+                                     Field{"gaussian_curvature", 1, curvature.gaussian},
+                                     Field{"shape_index", 1, curvature.shape_index},
+                                     Field{"curvedness", 1, curvature.curvedness},
+                                     Field{"sulcal_depth", 1, arrays.folds.sulcal_depth},
+                                     Field{"local_gyrification", 1, arrays.folds.local_gyrification},
+                                     Field{"thickness", 1, arrays.thickness},
                                      Field{"id", 1, id}};
     write_surface_vtp(folder / ("surface_" + frame.name + ".vtp"), frame.surface, frame.triangles, surface_fields);
 }

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <charconv>
+#include <numeric>
 
 namespace corticle
 {
@@ -17,17 +18,20 @@ namespace
 
 constexpr double probe_in_spacings = 1e-4;
 
-constexpr std::array columns{
+constexpr std::array first_columns{
     MeasureColumn{"t", "-", &Measures::t},
     MeasureColumn{"steps", "-", &Measures::steps},
     MeasureColumn{"rejected_steps", "-", &Measures::rejected_steps},
-    MeasureColumn{"area", "mm2", &Measures::area_mm2},
-    MeasureColumn{"volume", "mm3", &Measures::volume_mm3},
+    MeasureColumn{"area_mm2", "mm2", &Measures::area_mm2},
+    MeasureColumn{"volume_mm3", "mm3", &Measures::volume_mm3},
     MeasureColumn{"area_ratio", "-", &Measures::area_ratio},
     MeasureColumn{"volume_ratio", "-", &Measures::volume_ratio},
     MeasureColumn{"area_per_volume", "1/mm", &Measures::area_per_volume},
     MeasureColumn{"gi_hull", "-", &Measures::gi_hull},
     MeasureColumn{"gi_sphere", "-", &Measures::gi_sphere},
+    MeasureColumn{"thickness_mean_mm", "mm", &Measures::thickness_mean_mm},
+    MeasureColumn{"fold_wavelength_reference_mm", "mm", &Measures::fold_wavelength_reference_mm},
+    MeasureColumn{"fold_degree", "-", &Measures::fold_degree},
     MeasureColumn{"J_min", "-", &Measures::J_min},
     MeasureColumn{"J_mean", "-", &Measures::J_mean},
     MeasureColumn{"J_max", "-", &Measures::J_max},
@@ -38,29 +42,46 @@ constexpr std::array columns{
     MeasureColumn{"energy_dissipated", "mu_w mm3", &Measures::energy_dissipated},
     MeasureColumn{"work_growth", "mu_w mm3", &Measures::work_growth},
     MeasureColumn{"overlap_area_share", "-", &Measures::overlap_area_share},
-    MeasureColumn{"max_penetration", "mm", &Measures::max_penetration_mm},
+    MeasureColumn{"max_penetration_mm", "mm", &Measures::max_penetration_mm},
     MeasureColumn{"barrier_particles", "-", &Measures::barrier_particles},
     MeasureColumn{"contact_pairs", "-", &Measures::contact_pairs},
 };
 
+std::vector<MeasureColumn> all_columns()
+{
+    std::vector<MeasureColumn> columns(first_columns.begin(), first_columns.end());
+    for (const FoldColumn& column : fold_columns())
+    {
+        columns.push_back({column.key, column.unit, column.value});
+    }
+    return columns;
+}
+
 std::string header()
 {
     std::string line;
-    for (const MeasureColumn& column : columns)
+    for (const MeasureColumn& column : measure_columns())
     {
         line += fmt::format("{}{} [{}]", line.empty() ? "" : ",", column.key, column.unit);
     }
     return line + "\n";
 }
 
+double area_mean(std::span<const double> values, std::span<const double> areas)
+{
+    const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
+    return std::inner_product(values.begin(), values.end(), areas.begin(), 0.0) / area;
+}
+
 } // namespace
 
 std::span<const MeasureColumn> measure_columns()
 {
+    static const std::vector<MeasureColumn> columns = all_columns();
     return columns;
 }
 
-Measures measure(const Simulation& simulation, std::span<const Mat3> F)
+Measures measure(const Simulation& simulation, std::span<const Mat3> F, const SurfaceArrays& arrays)
 {
     const Body& body = simulation.body();
     const State& state = simulation.state();
@@ -70,7 +91,9 @@ Measures measure(const Simulation& simulation, std::span<const Mat3> F)
     const double volume_0 = enclosed_volume(body.surface.vertices, body.surface.triangles);
     const Overlap overlap = measure_overlap(x, body.cloud.surface_triangles, probe_in_spacings * body.cloud.spacing);
 
-    Measures m;
+    const ReferenceFolds waves = reference_folds(simulation);
+
+    Measures m{measure_folds(x, body.cloud.surface_triangles, arrays.folds, fold_options(body))};
     m.t = state.t;
     m.steps = static_cast<double>(state.steps);
     m.rejected_steps = static_cast<double>(state.rejected_steps);
@@ -81,6 +104,9 @@ Measures measure(const Simulation& simulation, std::span<const Mat3> F)
     m.area_per_volume = now.area_per_volume;
     m.gi_hull = now.gi_hull;
     m.gi_sphere = now.gi_sphere;
+    m.thickness_mean_mm = area_mean(arrays.thickness, vertex_areas(x, body.cloud.surface_triangles));
+    m.fold_wavelength_reference_mm = waves.wavelength_mm;
+    m.fold_degree = waves.degree;
     m.J_min = determinant(F[0]);
     m.J_max = m.J_min;
     double weighted = 0.0;
@@ -112,9 +138,11 @@ std::string measures_csv(std::span<const Measures> rows)
     std::string text = header();
     for (const Measures& row : rows)
     {
-        for (std::size_t k = 0; k < columns.size(); ++k)
+        std::string_view separator;
+        for (const MeasureColumn& column : measure_columns())
         {
-            text += fmt::format("{}{:.17g}", k == 0 ? "" : ",", row.*columns[k].value);
+            text += fmt::format("{}{:.17g}", separator, row.*column.value);
+            separator = ",";
         }
         text += '\n';
     }
@@ -134,7 +162,7 @@ std::vector<Measures> parse_measures_csv(std::string_view text, const std::strin
     while (at < end)
     {
         Measures row;
-        for (const MeasureColumn& column : columns)
+        for (const MeasureColumn& column : measure_columns())
         {
             const auto [next, error] = std::from_chars(at, end, row.*column.value);
             if (error != std::errc{} || next == end)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/simulation/simulation.hpp"
+#include "corticle/simulation/surface_arrays.hpp"
 
 #include <span>
 #include <string_view>
@@ -10,7 +10,7 @@ namespace corticle
 {
 
 /// Measures of a run at one output time: a row of measures.csv.
-struct Measures
+struct Measures : FoldMeasures
 {
     double t = 0.0;
     double steps = 0.0;
@@ -22,6 +22,9 @@ struct Measures
     double area_per_volume = 0.0;
     double gi_hull = 0.0;
     double gi_sphere = 0.0;
+    double thickness_mean_mm = 0.0;            ///< of the cortex, weighted with current area
+    double fold_wavelength_reference_mm = 0.0; ///< see ReferenceFolds
+    double fold_degree = 0.0;                  ///< the same
     double J_min = 0.0;
     double J_mean = 0.0; ///< volume-weighted by reference volume
     double J_max = 0.0;
@@ -46,7 +49,7 @@ struct MeasureColumn
 };
 std::span<const MeasureColumn> measure_columns();
 
-Measures measure(const Simulation& simulation, std::span<const Mat3> F);
+Measures measure(const Simulation& simulation, std::span<const Mat3> F, const SurfaceArrays& arrays);
 
 /// measures.csv of the rows: header with units, one line each, 17 significant digits.
 std::string measures_csv(std::span<const Measures> rows);

@@ -85,9 +85,10 @@ class Recorder
     {
         const std::vector<Mat3> F = simulation.deformation_gradients();
         const Frame frame = make_frame(simulation, F, frame_name(rows_.size()));
-        rows_.push_back(measure(simulation, F));
+        const SurfaceArrays arrays = surface_arrays(simulation, F);
+        rows_.push_back(measure(simulation, F, arrays));
         const Measures& row = rows_.back();
-        write_frame(request_.out, simulation, F, frame);
+        write_frame(request_.out, simulation, F, frame, arrays);
         write_tables(request_.out, rows_);
         if (with_pictures && pictures_)
         {

@@ -51,8 +51,16 @@ std::string summary_json(const Simulation& simulation, const Measures& last, con
     j["volume_mm3"] = last.volume_mm3;
     j["area_ratio"] = last.area_ratio;
     j["volume_ratio"] = last.volume_ratio;
+    j["area_per_volume"] = last.area_per_volume;
     j["gi_hull"] = last.gi_hull;
     j["gi_sphere"] = last.gi_sphere;
+    for (const FoldColumn& column : fold_columns())
+    {
+        j[std::string(column.key)] = last.*column.value;
+    }
+    j["thickness_mean_mm"] = last.thickness_mean_mm;
+    j["fold_wavelength_reference_mm"] = last.fold_wavelength_reference_mm;
+    j["fold_degree"] = last.fold_degree;
     j["onset_t"] = state.onset_t >= 0.0 ? nlohmann::ordered_json(state.onset_t) : nlohmann::ordered_json(nullptr);
     j["J_min"] = last.J_min;
     j["J_mean"] = last.J_mean;

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/metrics/curvature.hpp"
+
+#include "corticle/base/parallel.hpp"
+#include "corticle/metrics/vertex_adjacency.hpp"
+
+#include <numbers>
+
+namespace corticle
+{
+
+namespace
+{
+
+constexpr int unknowns = 5;              ///< of h(u, v) = a u²/2 + b u v + c v²/2 + d u + e v
+constexpr double least_weight = 0.01;    ///< of a neighbour whose normal is turned away: across a crease
+constexpr double regularization = 1e-10; ///< over the largest diagonal entry: keeps a poor ring solvable
+using Row = std::array<double, unknowns>;
+
+struct NormalEquations
+{
+    std::array<Row, unknowns> matrix{};
+    Row right{};
+
+    void add(const Row& terms, double height, double weight)
+    {
+        for (int i = 0; i < unknowns; ++i)
+        {
+            for (int j = 0; j <= i; ++j)
+            {
+                matrix[i][j] += weight * terms[i] * terms[j];
+            }
+            right[i] += weight * terms[i] * height;
+        }
+    }
+
+    /// Solution by Cholesky factors, in place of the lower triangle.
+    Row solve()
+    {
+        double largest = 0.0;
+        for (int i = 0; i < unknowns; ++i)
+        {
+            largest = std::max(largest, matrix[i][i]);
+        }
+        for (int i = 0; i < unknowns; ++i)
+        {
+            matrix[i][i] += regularization * largest;
+            for (int j = 0; j <= i; ++j)
+            {
+                double sum = matrix[i][j];
+                for (int k = 0; k < j; ++k)
+                {
+                    sum -= matrix[i][k] * matrix[j][k];
+                }
+                matrix[i][j] = i == j ? std::sqrt(std::max(sum, regularization * largest)) : sum / matrix[j][j];
+            }
+        }
+        for (int i = 0; i < unknowns; ++i)
+        {
+            for (int k = 0; k < i; ++k)
+            {
+                right[i] -= matrix[i][k] * right[k];
+            }
+            right[i] /= matrix[i][i];
+        }
+        for (int i = unknowns - 1; i >= 0; --i)
+        {
+            for (int k = i + 1; k < unknowns; ++k)
+            {
+                right[i] -= matrix[k][i] * right[k];
+            }
+            right[i] /= matrix[i][i];
+        }
+        return right;
+    }
+};
+
+struct MeanAndGaussian
+{
+    double mean = 0.0;
+    double gaussian = 0.0;
+};
+
+/// Of the graph of the quadric at the origin, the height counted along the outward normal.
+MeanAndGaussian graph_curvature(const Row& q)
+{
+    const auto [a, b, c, d, e] = q;
+    const double squared_slope = 1.0 + d * d + e * e;
+    const double mean =
+        ((1.0 + d * d) * c - 2.0 * d * e * b + (1.0 + e * e) * a) / (2.0 * std::pow(squared_slope, 1.5));
+    return {-mean, (a * c - b * b) / (squared_slope * squared_slope)};
+}
+
+/// Neighbours and their neighbours, without the vertex itself.
+void two_rings(const VertexLists& adjacent, std::int32_t vertex, std::vector<std::int32_t>& rings)
+{
+    rings.clear();
+    for (const std::int32_t near : adjacent.of(vertex))
+    {
+        rings.push_back(near);
+        for (const std::int32_t far : adjacent.of(near))
+        {
+            rings.push_back(far);
+        }
+    }
+    std::sort(rings.begin(), rings.end());
+    rings.erase(std::unique(rings.begin(), rings.end()), rings.end());
+    std::erase(rings, vertex);
+}
+
+MeanAndGaussian fit(std::span<const Vec3> vertices, std::span<const Vec3> normals, std::int32_t vertex,
+                    std::span<const std::int32_t> rings)
+{
+    const Vec3 n = normals[vertex];
+    const Vec3 along = std::abs(n.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+    const Vec3 e1 = normalized(cross(n, along));
+    const Vec3 e2 = cross(n, e1);
+    double scale = 0.0;
+    for (const std::int32_t j : rings)
+    {
+        scale += norm(vertices[j] - vertices[vertex]);
+    }
+    if (scale == 0.0)
+    {
+        return {};
+    }
+    scale /= static_cast<double>(rings.size());
+    NormalEquations equations;
+    for (const std::int32_t j : rings)
+    {
+        const Vec3 d = (vertices[j] - vertices[vertex]) / scale;
+        const double u = dot(d, e1);
+        const double v = dot(d, e2);
+        equations.add({0.5 * u * u, u * v, 0.5 * v * v, u, v}, dot(d, n), std::max(least_weight, dot(n, normals[j])));
+    }
+    const MeanAndGaussian scaled = graph_curvature(equations.solve());
+    return {scaled.mean / scale, scaled.gaussian / (scale * scale)};
+}
+
+} // namespace
+
+Curvature vertex_curvature(std::span<const Vec3> vertices, std::span<const Triangle> triangles)
+{
+    const VertexLists adjacent = adjacent_vertices(vertices.size(), triangles);
+    const std::vector<Vec3> normals = vertex_normals(vertices, triangles);
+    const std::size_t count = vertices.size();
+    Curvature curvature{std::vector<double>(count), std::vector<double>(count), std::vector<double>(count),
+                        std::vector<double>(count)};
+    parallel_blocks(static_cast<std::int64_t>(count),
+                    [&](std::int64_t begin, std::int64_t end)
+                    {
+                        std::vector<std::int32_t> rings;
+                        for (std::int64_t i = begin; i < end; ++i)
+                        {
+                            two_rings(adjacent, static_cast<std::int32_t>(i), rings);
+                            const auto [H, K] = fit(vertices, normals, static_cast<std::int32_t>(i), rings);
+                            const double half_difference = std::sqrt(std::max(0.0, H * H - K)); // (k1 - k2) / 2
+                            curvature.mean[i] = H;
+                            curvature.gaussian[i] = K;
+                            curvature.shape_index[i] = 2.0 / std::numbers::pi * std::atan2(H, half_difference);
+                            curvature.curvedness[i] = std::hypot(H, half_difference);
+                        }
+                    });
+    return curvature;
+}
+
+} // namespace corticle

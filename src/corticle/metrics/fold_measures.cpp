@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/metrics/fold_measures.hpp"
+
+#include "corticle/geometry/hull.hpp"
+#include "corticle/metrics/local_gyrification.hpp"
+#include "corticle/metrics/spectrum.hpp"
+#include "corticle/metrics/sulcal_depth.hpp"
+#include "corticle/metrics/sulcal_pits.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+namespace corticle
+{
+
+namespace
+{
+
+constexpr double adult_radius_mm = 67.0;
+constexpr double least_curvature_variation = 0.02; ///< of H over its mean square root: less is a smooth body
+
+constexpr std::array columns{
+    FoldColumn{"gi_zilles", "-", &FoldMeasures::gi_zilles},
+    FoldColumn{"gi_local_mean", "-", &FoldMeasures::gi_local_mean},
+    FoldColumn{"abs_mean_curvature_per_mm", "1/mm", &FoldMeasures::abs_mean_curvature_per_mm},
+    FoldColumn{"curvedness_per_mm", "1/mm", &FoldMeasures::curvedness_per_mm},
+    FoldColumn{"sulcal_depth_mean_mm", "mm", &FoldMeasures::sulcal_depth_mean_mm},
+    FoldColumn{"sulcal_depth_max_mm", "mm", &FoldMeasures::sulcal_depth_max_mm},
+    FoldColumn{"sulcal_pits", "-", &FoldMeasures::sulcal_pits},
+    FoldColumn{"gyral_crowns", "-", &FoldMeasures::gyral_crowns},
+    FoldColumn{"fold_wavelength_mm", "mm", &FoldMeasures::fold_wavelength_mm},
+    FoldColumn{"asymmetry_area", "-", &FoldMeasures::asymmetry_area},
+    FoldColumn{"asymmetry_volume", "-", &FoldMeasures::asymmetry_volume},
+};
+
+/// Size of the body over that of an adult brain.
+double scale_of(std::span<const Vec3> vertices, std::span<const Triangle> triangles)
+{
+    const double volume = std::abs(enclosed_volume(vertices, triangles));
+    return std::cbrt(3.0 * volume / (4.0 * std::numbers::pi)) / adult_radius_mm;
+}
+
+template <class Value>
+double area_mean(std::span<const double> areas, Value&& value)
+{
+    double sum = 0.0;
+    double total = 0.0;
+    for (std::size_t v = 0; v < areas.size(); ++v)
+    {
+        sum += areas[v] * value(v);
+        total += areas[v];
+    }
+    return sum / total;
+}
+
+double curvature_wavelength(std::span<const Vec3> vertices, std::span<const Triangle> triangles,
+                            std::span<const double> mean_curvature, std::span<const double> areas)
+{
+    const double mean = area_mean(areas, [&](std::size_t v) { return mean_curvature[v]; });
+    const double square = area_mean(areas, [&](std::size_t v) { return mean_curvature[v] * mean_curvature[v]; });
+    if (square - mean * mean <= least_curvature_variation * least_curvature_variation * square)
+    {
+        return 0.0;
+    }
+    return dominant_wavelength(laplace_beltrami_spectrum(vertices, triangles, mean_curvature),
+                               fold_band(vertices, triangles));
+}
+
+} // namespace
+
+std::span<const FoldColumn> fold_columns()
+{
+    return columns;
+}
+
+FoldFields fold_fields(std::span<const Vec3> vertices, std::span<const Triangle> triangles, const FoldOptions& options)
+{
+    const TriangleMesh hull = convex_hull(vertices);
+    const SurfaceTree outer(hull.vertices, hull.triangles);
+    return {vertex_curvature(vertices, triangles), sulcal_depth(vertices, triangles, outer),
+            local_gyrification(vertices, triangles, outer, options.adult_ball_mm * scale_of(vertices, triangles))};
+}
+
+FoldMeasures measure_folds(std::span<const Vec3> vertices, std::span<const Triangle> triangles,
+                           const FoldFields& fields, const FoldOptions& options)
+{
+    const std::vector<double> areas = vertex_areas(vertices, triangles);
+    const auto mean = [&](std::span<const double> values)
+    { return area_mean(areas, [values](std::size_t v) { return std::abs(values[v]); }); };
+    const DepthExtrema extrema =
+        depth_extrema(fields.sulcal_depth, triangles, options.adult_ridge_height_mm * scale_of(vertices, triangles));
+    const Asymmetry sides = asymmetry(vertices, triangles, options.midplane.value_or(mid_sagittal_plane(vertices)));
+    FoldMeasures m;
+    m.gi_zilles = zilles_index(vertices, triangles, options.slices).index;
+    m.gi_local_mean = mean(fields.local_gyrification);
+    m.abs_mean_curvature_per_mm = mean(fields.curvature.mean);
+    m.curvedness_per_mm = mean(fields.curvature.curvedness);
+    m.sulcal_depth_mean_mm = mean(fields.sulcal_depth);
+    m.sulcal_depth_max_mm = *std::max_element(fields.sulcal_depth.begin(), fields.sulcal_depth.end());
+    m.sulcal_pits = static_cast<double>(extrema.pits.size());
+    m.gyral_crowns = static_cast<double>(extrema.crowns.size());
+    m.fold_wavelength_mm = curvature_wavelength(vertices, triangles, fields.curvature.mean, areas);
+    m.asymmetry_area = sides.area;
+    m.asymmetry_volume = sides.volume;
+    return m;
+}
+
+} // namespace corticle

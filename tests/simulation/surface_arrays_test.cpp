@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/simulation/surface_arrays.hpp"
+
+#include "corticle/base/parallel.hpp"
+#include "corticle/simulation/measures.hpp"
+#include "tlsph/small_body.hpp"
+
+#include <gtest/gtest.h>
+
+namespace corticle
+{
+namespace
+{
+
+/// The sphere with a bulge of degree l on every particle's radius.
+State bulged(const Body& body, int l, double amplitude)
+{
+    State state;
+    for (const Vec3& X : body.cloud.positions)
+    {
+        state.motion.x.push_back((1.0 + amplitude * std::legendre(l, normalized(X).x)) * X);
+    }
+    state.motion.v.resize(state.motion.x.size());
+    return state;
+}
+
+struct Measured
+{
+    SurfaceArrays arrays;
+    Measures row;
+};
+
+Measured measured(const Simulation& simulation)
+{
+    const std::vector<Mat3> F = simulation.deformation_gradients();
+    Measured m{surface_arrays(simulation, F), {}};
+    m.row = measure(simulation, F, m.arrays);
+    return m;
+}
+
+TEST(SurfaceArrays, OfAnUndeformedSphere)
+{
+    const Options options = test::sphere_options(2500);
+    Body body = test::small_sphere();
+    const Simulation simulation(body, options);
+    const Measured m = measured(simulation);
+    for (const double t : m.arrays.thickness)
+    {
+        EXPECT_NEAR(t, options.tissue.thickness_mm, 0.01 * options.tissue.thickness_mm);
+    }
+    EXPECT_NEAR(m.row.thickness_mean_mm, options.tissue.thickness_mm, 0.005);
+    EXPECT_NEAR(m.row.sulcal_depth_max_mm, 0.0, 1e-6);
+    EXPECT_NEAR(m.row.gi_zilles, 1.0, 1e-4);
+    EXPECT_NEAR(m.row.gi_local_mean, 1.0, 0.01);
+    EXPECT_NEAR(m.row.abs_mean_curvature_per_mm * 12.496, 1.0, 0.02);
+    EXPECT_EQ(m.row.sulcal_pits, 0.0);
+    EXPECT_EQ(m.row.fold_wavelength_mm, 0.0);
+    EXPECT_EQ(m.row.fold_wavelength_reference_mm, 0.0);
+    EXPECT_EQ(m.row.fold_degree, 0.0);
+}
+
+TEST(SurfaceArrays, FindAnImposedDegree)
+{
+    const Options options = test::sphere_options(2500);
+    Body body = test::small_sphere();
+    Simulation simulation(body, options);
+    simulation.restore(bulged(body, 8, 0.1));
+    const Measured m = measured(simulation);
+    EXPECT_EQ(m.row.fold_degree, 8.0);
+    EXPECT_NEAR(m.row.fold_wavelength_reference_mm * std::sqrt(8.0 * 9.0) / (2.0 * std::numbers::pi * 12.496), 1.0,
+                0.02);
+    EXPECT_GT(m.row.sulcal_depth_max_mm, 0.2);
+}
+
+TEST(SurfaceArrays, DoNotDependOnTheNumberOfThreads)
+{
+    const Options options = test::sphere_options(2500);
+    Body body = test::small_sphere();
+    Simulation simulation(body, options);
+    simulation.restore(bulged(body, 6, 0.05));
+    const int threads = thread_count();
+    set_thread_count(1);
+    const Measured one = measured(simulation);
+    set_thread_count(3);
+    const Measured three = measured(simulation);
+    set_thread_count(threads);
+    for (const MeasureColumn& column : measure_columns())
+    {
+        EXPECT_EQ(one.row.*column.value, three.row.*column.value) << column.key;
+    }
+    EXPECT_EQ(one.arrays.folds.curvature.gaussian, three.arrays.folds.curvature.gaussian);
+    EXPECT_EQ(one.arrays.folds.sulcal_depth, three.arrays.folds.sulcal_depth);
+    EXPECT_EQ(one.arrays.folds.local_gyrification, three.arrays.folds.local_gyrification);
+    EXPECT_EQ(one.arrays.thickness, three.arrays.thickness);
+}
+
+TEST(Measures, ReadBackFromTheirTable)
+{
+    std::vector<Measures> rows(2);
+    rows[1].t = 0.5;
+    rows[1].gi_zilles = 1.25;
+    rows[1].thickness_mean_mm = 1.0 / 3.0;
+    const std::string text = measures_csv(rows);
+    EXPECT_NE(text.find("area_mm2 [mm2]"), std::string::npos);
+    const std::vector<Measures> back = parse_measures_csv(text, "measures.csv");
+    ASSERT_EQ(back.size(), 2u);
+    for (const MeasureColumn& column : measure_columns())
+    {
+        EXPECT_EQ(back[1].*column.value, rows[1].*column.value) << column.key;
+    }
+}
+
+} // namespace
+} // namespace corticle
