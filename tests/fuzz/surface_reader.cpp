@@ -4,7 +4,7 @@
 
 #include "corticle/io/vtk_files.hpp"
 #include "fuzz/reader_fuzz.hpp"
-#include "io/surface_samples.hpp"
+#include "io/gifti_samples.hpp"
 
 namespace corticle
 {
@@ -19,6 +19,11 @@ std::vector<Sample> samples()
     const TemporaryFolder folder;
     write_surface_vtp(folder / "a.vtp", mesh.vertices, mesh.triangles, {});
     result.emplace_back("vtp", bytes_of(folder / "a.vtp"));
+    const std::string metadata = gifti_metadata({{"VolGeomC_R", "1"}, {"VolGeomC_A", "2"}, {"VolGeomC_S", "3"}});
+    result.emplace_back("gii", gifti_surface(mesh, {}, metadata));
+    result.emplace_back("gii", gifti_surface(mesh, {"Base64Binary", true, true}));
+    result.emplace_back("gii", gifti_surface(mesh, {"GZipBase64Binary"}));
+    result.emplace_back("white", freesurfer_surface(mesh, volume_geometry("1", conformed_axes(), "5 -6 7.5")));
     return result;
 }
 

@@ -117,13 +117,25 @@ TEST(SurfaceReader, ReadsFilesWithAnyCaseOfExtensionAndScales)
     EXPECT_THROW(millimetres_per("inch"), InputError);
 }
 
+TEST(SurfaceReader, KeepsTheVerticesOfTheFileForMaps)
+{
+    const TemporaryFolder folder;
+    put_bytes(folder / "a.obj", "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nf 2 3 4\nf 5 4 3\n");
+    const TriangleMesh mesh = read_surface_unmerged(folder / "a.obj", 2.0);
+    EXPECT_EQ(mesh.vertices.size(), 5u);
+    EXPECT_EQ(mesh.vertices[0], (Vec3{18, 18, 18}));
+    EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{1, 2, 3}, {4, 3, 2}}));
+    EXPECT_EQ(read_surface(folder / "a.obj", 2.0).vertices.size(), 3u);
+}
+
 TEST(SurfaceReader, RefusesWithOneLine)
 {
     const TemporaryFolder folder;
     EXPECT_THAT(message_of<InputError>([&] { read_surface(folder / "none.stl"); }),
                 HasSubstr("none.stl: cannot be opened"));
-    EXPECT_THAT(message_of<InputError>([&] { read_surface(folder / "none.xyz"); }),
-                HasSubstr("expected .stl, .obj, .ply, .off or .vtp"));
+    put_bytes(folder / "points.xyz", "0 0 0");
+    EXPECT_THAT(message_of<InputError>([&] { read_surface(folder / "points.xyz"); }),
+                HasSubstr("got .xyz; expected .stl, .obj, .ply, .off, .vtp, .gii or a FreeSurfer surface"));
     std::filesystem::create_directory(folder / "folder.stl");
     EXPECT_THAT(message_of<InputError>([&] { read_surface(folder / "folder.stl"); }), HasSubstr("a directory"));
     EXPECT_THAT(refusal("obj", "v 0 0 0\nv 1 0 0\nv nan 1 0\nf 1 2 3\n"), HasSubstr("vertex 2 is not finite"));

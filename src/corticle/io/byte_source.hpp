@@ -5,6 +5,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace corticle
 {
@@ -42,6 +43,15 @@ class ByteSource
         bytes.append(pending_, 0, count);
         pending_.erase(0, count);
         return true;
+    }
+
+    /// What is left of base64, up to its end or the first character that is none.
+    std::string take_all()
+    {
+        while (decode_group())
+        {
+        }
+        return std::exchange(pending_, {});
     }
 
   private:

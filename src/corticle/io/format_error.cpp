@@ -67,4 +67,13 @@ std::string read_whole_file(const std::filesystem::path& file)
     return bytes;
 }
 
+std::string lower_case_extension(const std::filesystem::path& file)
+{
+    std::string extension = file.extension().string();
+    extension.erase(0, 1);
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return extension;
+}
+
 } // namespace corticle

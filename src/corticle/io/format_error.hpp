@@ -17,4 +17,7 @@ namespace corticle
 /// be read.
 std::string read_whole_file(const std::filesystem::path& file);
 
+/// Without its dot; empty when there is none.
+std::string lower_case_extension(const std::filesystem::path& file);
+
 } // namespace corticle

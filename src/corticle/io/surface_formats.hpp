@@ -42,5 +42,7 @@ void parse_obj(std::string_view bytes, SurfaceBuilder& surface);
 void parse_ply(std::string_view bytes, SurfaceBuilder& surface);
 void parse_off(std::string_view bytes, SurfaceBuilder& surface);
 void parse_vtp(std::string_view bytes, SurfaceBuilder& surface);
+void parse_gifti_surface(std::string_view bytes, SurfaceBuilder& surface);
+void parse_freesurfer_surface(std::string_view bytes, SurfaceBuilder& surface);
 
 } // namespace corticle

@@ -4,11 +4,11 @@
 #include "corticle/base/error.hpp"
 #include "corticle/geometry/validate.hpp"
 #include "corticle/io/format_error.hpp"
+#include "corticle/io/freesurfer.hpp"
 #include "corticle/io/surface_formats.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <limits>
 #include <utility>
@@ -21,10 +21,15 @@ namespace
 
 using Parser = void (*)(std::string_view, SurfaceBuilder&);
 
-constexpr std::array<std::pair<std::string_view, Parser>, 5> parsers{
-    {{"stl", parse_stl}, {"obj", parse_obj}, {"ply", parse_ply}, {"off", parse_off}, {"vtp", parse_vtp}}};
+constexpr std::array<std::pair<std::string_view, Parser>, 6> parsers{{{"stl", parse_stl},
+                                                                      {"obj", parse_obj},
+                                                                      {"ply", parse_ply},
+                                                                      {"off", parse_off},
+                                                                      {"vtp", parse_vtp},
+                                                                      {"gii", parse_gifti_surface}}};
 
-Parser parser_for(const std::string& extension, const std::string& name)
+/// By extension; FreeSurfer's files have none of their own and are told by their first bytes.
+Parser parser_for(std::string_view bytes, const std::string& extension, const std::string& name)
 {
     for (const auto& [known, parser] : parsers)
     {
@@ -33,17 +38,31 @@ Parser parser_for(const std::string& extension, const std::string& name)
             return parser;
         }
     }
+    if (is_freesurfer_surface(bytes) || is_freesurfer_scalars(bytes))
+    {
+        return parse_freesurfer_surface;
+    }
     fail_reading(name, "unknown kind of surface file", extension.empty() ? "no extension" : "." + extension,
-                 ".stl, .obj, .ply, .off or .vtp");
+                 ".stl, .obj, .ply, .off, .vtp, .gii or a FreeSurfer surface");
 }
 
-std::string lower_case_extension(const std::filesystem::path& file)
+TriangleMesh parse_unmerged(std::string_view bytes, const std::string& extension, const std::string& name)
 {
-    std::string extension = file.extension().string();
-    extension.erase(0, 1);
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return extension;
+    const Parser parser = parser_for(bytes, extension, name);
+    SurfaceBuilder builder(name);
+    parser(bytes, builder);
+    return builder.finish();
+}
+
+TriangleMesh merged(const TriangleMesh& surface, const std::string& name)
+{
+    TriangleMesh result = merge_duplicates(surface);
+    if (result.triangles.empty())
+    {
+        fail_reading(name, "every triangle has collapsed", "0 triangles once equal vertices are merged",
+                     "at least one");
+    }
+    return result;
 }
 
 } // namespace
@@ -130,24 +149,13 @@ double millimetres_per(const std::string& unit)
 
 TriangleMesh parse_surface(std::string_view bytes, const std::string& extension, const std::string& name)
 {
-    const Parser parser = parser_for(extension, name);
-    SurfaceBuilder builder(name);
-    parser(bytes, builder);
-    TriangleMesh merged = merge_duplicates(builder.finish());
-    if (merged.triangles.empty())
-    {
-        fail_reading(name, "every triangle has collapsed", "0 triangles once equal vertices are merged",
-                     "at least one");
-    }
-    return merged;
+    return merged(parse_unmerged(bytes, extension, name), name);
 }
 
-TriangleMesh read_surface(const std::filesystem::path& file, double scale)
+TriangleMesh read_surface_unmerged(const std::filesystem::path& file, double scale)
 {
     const std::string name = file.string();
-    const std::string extension = lower_case_extension(file);
-    parser_for(extension, name);
-    TriangleMesh surface = parse_surface(read_whole_file(file), extension, name);
+    TriangleMesh surface = parse_unmerged(read_whole_file(file), lower_case_extension(file), name);
     for (Vec3& vertex : surface.vertices)
     {
         vertex *= scale;
@@ -158,6 +166,11 @@ TriangleMesh read_surface(const std::filesystem::path& file, double scale)
         }
     }
     return surface;
+}
+
+TriangleMesh read_surface(const std::filesystem::path& file, double scale)
+{
+    return merged(read_surface_unmerged(file, scale), file.string());
 }
 
 } // namespace corticle

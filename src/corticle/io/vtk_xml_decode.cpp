@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/io/byte_source.hpp"
+#include "corticle/io/encoding.hpp"
 #include "corticle/io/text_scan.hpp"
 #include "corticle/io/vtk_xml.hpp"
-
-#include <vtkLZ4DataCompressor.h>
-#include <vtkNew.h>
-#include <vtkObject.h>
-#include <vtkZLibDataCompressor.h>
 
 #include <fmt/format.h>
 
@@ -19,28 +15,6 @@ namespace
 std::string damaged(const VtkXmlArray& array)
 {
     return fmt::format("truncated or damaged array \"{}\"", array.name);
-}
-
-/// True when `packed` unpacks to exactly `size` bytes at `out`.
-bool unpack(const std::string& compressor, const std::string& packed, char* out, std::size_t size)
-{
-    const int shown = vtkObject::GetGlobalWarningDisplay();
-    vtkObject::SetGlobalWarningDisplay(0); // damaged blocks are reported by the caller
-    const auto* from = reinterpret_cast<const unsigned char*>(packed.data());
-    auto* to = reinterpret_cast<unsigned char*>(out);
-    std::size_t got = 0;
-    if (compressor == "vtkLZ4DataCompressor")
-    {
-        vtkNew<vtkLZ4DataCompressor> decoder;
-        got = decoder->Uncompress(from, packed.size(), to, size);
-    }
-    else
-    {
-        vtkNew<vtkZLibDataCompressor> decoder;
-        got = decoder->Uncompress(from, packed.size(), to, size);
-    }
-    vtkObject::SetGlobalWarningDisplay(shown);
-    return got == size;
 }
 
 /// Bytes of one number, 0 for a type that is not known.
@@ -125,6 +99,7 @@ std::string VtkXmlFile::unpacked_blocks(ByteSource& source, const VtkXmlArray& a
     {
         packed_sizes.push_back(take_size(source, array));
     }
+    const auto unpack = compressor_ == "vtkLZ4DataCompressor" ? unpack_lz4 : unpack_zlib;
     std::string bytes(size, '\0');
     std::string packed;
     for (std::size_t i = 0; i < blocks; ++i)
@@ -133,8 +108,7 @@ std::string VtkXmlFile::unpacked_blocks(ByteSource& source, const VtkXmlArray& a
         const std::size_t unpacked = i < full ? block : last;
         // Packing never makes a block much larger: so no array can make the reader go over the whole file again.
         const bool plausible = packed_sizes[i] <= 2 * unpacked + 1024;
-        if (!plausible || !source.take(packed_sizes[i], packed) ||
-            !unpack(compressor_, packed, bytes.data() + i * block, unpacked))
+        if (!plausible || !source.take(packed_sizes[i], packed) || !unpack(packed, bytes.data() + i * block, unpacked))
         {
             fail(damaged(array), fmt::format("a bad block {} of {}", i, blocks), fmt::format("{} bytes", unpacked));
         }

@@ -55,6 +55,10 @@ std::size_t skip_declaration(std::string_view text, std::size_t open)
     {
         return after("-->");
     }
+    if (start == "<![C")
+    {
+        return after("]]>"); // CDATA
+    }
     if (start.substr(0, 2) == "<?")
     {
         return after("?>");
