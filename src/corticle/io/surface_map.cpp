@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/io/surface_map.hpp"
+
+#include "corticle/io/format_error.hpp"
+#include "corticle/io/freesurfer.hpp"
+#include "corticle/io/gifti.hpp"
+#include "corticle/io/text_scan.hpp"
+#include "corticle/io/vtk_xml.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace corticle
+{
+
+namespace
+{
+
+/// What is asked of a file.
+struct Request
+{
+    const std::string& name; ///< of the file
+    const std::string& array;
+    std::int64_t vertex_count;
+};
+
+[[noreturn]] void fail_length(const Request& request, std::int64_t got)
+{
+    fail_reading(request.name, "a map of the wrong length", fmt::format("{} values", got),
+                 fmt::format("{}, one for each vertex of the surface", request.vertex_count));
+}
+
+/// Index of the array asked for among those there.
+std::size_t chosen(const Request& request, const std::vector<std::string>& names)
+{
+    const auto found = std::ranges::find(names, request.array);
+    if (request.array.empty() && names.size() == 1)
+    {
+        return 0;
+    }
+    if (!request.array.empty() && found != names.end())
+    {
+        return static_cast<std::size_t>(found - names.begin());
+    }
+    constexpr std::size_t most_listed = 20;
+    const bool too_many = names.size() > most_listed;
+    const std::vector<std::string> listed(
+        names.begin(), names.begin() + static_cast<std::ptrdiff_t>(std::min(names.size(), most_listed)));
+    fail_reading(request.name, request.array.empty() ? "which array is not said" : "no such array",
+                 request.array.empty() ? fmt::format("{} arrays", names.size()) : request.array,
+                 names.empty() ? "a file with a scalar for each vertex"
+                               : fmt::format("one of {}{}", fmt::join(listed, ", "), too_many ? ", ..." : ""));
+}
+
+std::vector<double> from_gifti(std::string_view bytes, const Request& request)
+{
+    GiftiFile file = parse_gifti(bytes, request.name);
+    std::erase_if(file.arrays,
+                  [](const GiftiArray& array) {
+                      return array.intent == "NIFTI_INTENT_POINTSET" || array.intent == "NIFTI_INTENT_TRIANGLE" ||
+                             array.columns() != 1;
+                  });
+    std::vector<std::string> names;
+    for (const GiftiArray& array : file.arrays)
+    {
+        const auto found = array.metadata.find("Name");
+        const bool is_named = found != array.metadata.end() && !found->second.empty();
+        names.push_back(is_named ? found->second : std::to_string(names.size()));
+    }
+    std::size_t number = 0;
+    const bool by_number = std::ranges::find(names, request.array) == names.end() && to_number(request.array, number) &&
+                           number < names.size();
+    return std::move(file.arrays[by_number ? number : chosen(request, names)].values);
+}
+
+std::vector<double> from_vtp(std::string_view bytes, const Request& request)
+{
+    constexpr std::size_t largest_growth = 4096; // numbers that are all the same
+    const VtkXmlFile file(bytes, "PolyData", request.name, largest_growth);
+    if (file.pieces().size() != 1)
+    {
+        fail_reading(request.name, "a map in several pieces", fmt::format("{}", file.pieces().size()), "one piece");
+    }
+    const VtkXmlPiece& piece = file.pieces().front();
+    std::vector<std::string> names;
+    std::vector<const VtkXmlArray*> arrays;
+    for (const VtkXmlArray& array : piece.arrays)
+    {
+        if (array.section == "PointData" && array.components == 1)
+        {
+            names.push_back(array.name);
+            arrays.push_back(&array);
+        }
+    }
+    const VtkXmlArray& array = *arrays[chosen(request, names)];
+    if (piece.count("NumberOfPoints") != request.vertex_count)
+    {
+        fail_length(request, piece.count("NumberOfPoints"));
+    }
+    return file.doubles(array, request.vertex_count);
+}
+
+bool separates(char c)
+{
+    return c == ',' || c == ';' || is_space(c);
+}
+
+/// The next cell of a line: up to a comma or semicolon, or white space where there is neither; quotes are taken off.
+std::string_view take_cell(std::string_view& line)
+{
+    while (!line.empty() && is_space(line.front()))
+    {
+        line.remove_prefix(1);
+    }
+    std::string_view cell;
+    if (!line.empty() && line.front() == '"')
+    {
+        const std::size_t close = std::min(line.find('"', 1), line.size());
+        cell = line.substr(1, close - 1);
+        line.remove_prefix(std::min(close + 1, line.size()));
+    }
+    else
+    {
+        const auto end = std::ranges::find_if(line, separates);
+        cell = line.substr(0, static_cast<std::size_t>(end - line.begin()));
+        line.remove_prefix(cell.size());
+    }
+    while (!line.empty() && is_space(line.front()))
+    {
+        line.remove_prefix(1);
+    }
+    line.remove_prefix(!line.empty() && (line.front() == ',' || line.front() == ';') ? 1 : 0);
+    return cell;
+}
+
+std::vector<std::string> cells(std::string_view line)
+{
+    std::vector<std::string> result;
+    while (!is_blank(line))
+    {
+        result.emplace_back(take_cell(line));
+    }
+    return result;
+}
+
+/// The next line that is not blank and no comment.
+bool take_row(std::string_view& text, std::string_view& line, std::int64_t& number)
+{
+    while (take_line(text, line))
+    {
+        ++number;
+        if (!is_blank(line) && line.front() != '#')
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+std::vector<double> from_text(std::string_view bytes, const Request& request)
+{
+    std::string_view text = bytes;
+    std::string_view line;
+    std::int64_t line_number = 0;
+    if (!take_row(text, line, line_number))
+    {
+        fail_reading(request.name, "no map in the file", "no line with a number", "a number for each vertex");
+    }
+    const std::vector<std::string> first = cells(line);
+    double ignored = 0.0;
+    const bool has_header =
+        std::ranges::none_of(first, [&](const std::string& cell) { return to_number(cell, ignored); });
+    std::vector<std::string> names;
+    for (std::size_t k = 0; k < first.size(); ++k)
+    {
+        names.push_back(has_header ? first[k] : std::to_string(k));
+    }
+    const std::size_t column = chosen(request, names);
+    std::vector<double> values;
+    for (bool more = has_header ? take_row(text, line, line_number) : true; more;
+         more = take_row(text, line, line_number))
+    {
+        std::string_view cell;
+        for (std::size_t k = 0; k <= column; ++k)
+        {
+            cell = take_cell(line);
+        }
+        double value = 0.0;
+        if (!to_number(cell, value))
+        {
+            fail_reading(request.name, fmt::format("line {} lacks a number in column {}", line_number, names[column]),
+                         cell.empty() ? "nothing" : cell, "a number");
+        }
+        values.push_back(value);
+    }
+    return values;
+}
+
+} // namespace
+
+std::vector<double> parse_surface_map(std::string_view bytes, const std::string& extension, const std::string& name,
+                                      const std::string& array, std::int64_t vertex_count)
+{
+    const Request request{name, array, vertex_count};
+    std::vector<double> values;
+    if (extension == "gii")
+    {
+        values = from_gifti(bytes, request);
+    }
+    else if (extension == "vtp")
+    {
+        values = from_vtp(bytes, request);
+    }
+    else if (extension == "csv" || extension == "txt")
+    {
+        values = from_text(bytes, request);
+    }
+    else if (is_freesurfer_scalars(bytes))
+    {
+        values = parse_freesurfer_scalars(bytes, name);
+    }
+    else
+    {
+        fail_reading(name, "unknown kind of surface map", extension.empty() ? "no extension" : "." + extension,
+                     ".gii, .vtp, .csv, .txt or a FreeSurfer curv file");
+    }
+    if (std::ssize(values) != vertex_count)
+    {
+        fail_length(request, std::ssize(values));
+    }
+    const auto bad = std::ranges::find_if(values, [](double value) { return !std::isfinite(value); });
+    if (bad != values.end())
+    {
+        fail_reading(name, fmt::format("the value of vertex {} is not finite", bad - values.begin()),
+                     fmt::format("{}", *bad), "a number for each vertex");
+    }
+    return values;
+}
+
+std::vector<double> read_surface_map(const std::filesystem::path& file, const std::string& array,
+                                     std::int64_t vertex_count)
+{
+    return parse_surface_map(read_whole_file(file), lower_case_extension(file), file.string(), array, vertex_count);
+}
+
+} // namespace corticle

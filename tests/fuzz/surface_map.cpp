@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Feeds damaged maps on surfaces to the reader. Usage: surface_map [seconds].
+#include "corticle/io/surface_map.hpp"
+
+#include "corticle/io/vtk_files.hpp"
+#include "fuzz/fuzzing.hpp"
+#include "io/gifti_samples.hpp"
+
+#include <cstdlib>
+
+namespace corticle
+{
+
+namespace
+{
+
+std::vector<Sample> samples()
+{
+    const TriangleMesh mesh = tetrahedron();
+    const std::vector<double> values{0.5, -1.25, 3.0, 8.0};
+    const TemporaryFolder folder;
+    write_surface_vtp(folder / "a.vtp", mesh.vertices, mesh.triangles,
+                      std::vector<Field>{{"depth", 1, values}, {"m", 1, values}});
+    return {{"vtp", bytes_of(folder / "a.vtp")},
+            {"gii", gifti_scalars({}, values)},
+            {"gii", gifti_scalars({"Base64Binary", true}, values)},
+            {"gii", gifti_scalars({"GZipBase64Binary"}, values)},
+            {"thickness", freesurfer_scalars(values)},
+            {"txt", "# m\n0.5\n-1.25\n3\n8\n"},
+            {"csv", "id, \"depth\"; x\n1,0.5;1\n2,-1.25;1\n3,3;1\n4,8;1\n"}};
+}
+
+} // namespace
+
+} // namespace corticle
+
+int main(int argc, char** argv)
+{
+    using namespace corticle;
+    return fuzz(samples(), argc > 1 ? std::atof(argv[1]) : 10.0,
+                [](const std::string& extension, const std::string& bytes)
+                {
+                    const bool is_single = extension == "thickness" || extension == "txt";
+                    parse_surface_map(bytes, extension, "fuzz." + extension, is_single ? "" : "depth", 4);
+                });
+}
