@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/geometry/alpha_wrap.hpp"
+
+#include "corticle/base/parallel.hpp"
+#include "corticle/geometry/self_intersections.hpp"
+#include "corticle/geometry/surface_tree.hpp"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/alpha_wrap_3.h>
+
+namespace corticle
+{
+
+namespace
+{
+
+/// Mean over the wrap of the distance to the input, where it lies within two offsets of it; an edge's middle stands for
+/// a third of its triangle [mm].
+double mean_distance(const TriangleMesh& wrap, const SurfaceTree& input, double offset)
+{
+    struct Sums
+    {
+        double area = 0.0;
+        double area_times_distance = 0.0;
+    };
+    const Sums sums = parallel_reduce(
+        static_cast<std::int64_t>(wrap.triangles.size()), Sums{},
+        [&](std::int64_t begin, std::int64_t end)
+        {
+            Sums part;
+            for (std::int64_t t = begin; t < end; ++t)
+            {
+                const Triangle& corners = wrap.triangles[t];
+                const Vec3& a = wrap.vertices[corners[0]];
+                const Vec3& b = wrap.vertices[corners[1]];
+                const Vec3& c = wrap.vertices[corners[2]];
+                const double third = norm(cross(b - a, c - a)) / 6.0;
+                for (const Vec3& middle : {0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)})
+                {
+                    const double distance = std::sqrt(input.closest(middle).squared_distance);
+                    part.area += distance <= 2.0 * offset ? third : 0.0;
+                    part.area_times_distance += distance <= 2.0 * offset ? third * distance : 0.0;
+                }
+            }
+            return part;
+        },
+        [](Sums& total, const Sums& part)
+        {
+            total.area += part.area;
+            total.area_times_distance += part.area_times_distance;
+        });
+    return sums.area > 0.0 ? sums.area_times_distance / sums.area : 0.0;
+}
+
+/// Every vertex moved by `step` [mm] towards its closest point of the input.
+TriangleMesh drawn_back(const TriangleMesh& wrap, const SurfaceTree& input, double step)
+{
+    TriangleMesh result = wrap;
+    parallel_for(static_cast<std::int64_t>(wrap.vertices.size()),
+                 [&](std::int64_t i)
+                 {
+                     const Vec3 towards = input.closest(wrap.vertices[i]).position - wrap.vertices[i];
+                     result.vertices[i] += std::min(step, norm(towards)) * normalized(towards);
+                 });
+    return result;
+}
+
+} // namespace
+
+TriangleMesh alpha_wrap(const TriangleMesh& surface, double alpha, double offset)
+{
+    using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+    using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+    std::vector<Kernel::Point_3> points;
+    for (const Vec3& p : surface.vertices)
+    {
+        points.emplace_back(p.x, p.y, p.z);
+    }
+    std::vector<std::array<std::size_t, 3>> faces;
+    for (const Triangle& t : surface.triangles)
+    {
+        faces.push_back(
+            {static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]), static_cast<std::size_t>(t[2])});
+    }
+    Mesh wrap;
+    CGAL::alpha_wrap_3(points, faces, alpha, offset, wrap);
+    wrap.collect_garbage();
+    TriangleMesh result;
+    for (const auto v : wrap.vertices())
+    {
+        const auto& p = wrap.point(v);
+        result.vertices.push_back({p.x(), p.y(), p.z()});
+    }
+    for (const auto f : wrap.faces())
+    {
+        const auto h = wrap.halfedge(f);
+        result.triangles.push_back({static_cast<std::int32_t>(wrap.target(h)),
+                                    static_cast<std::int32_t>(wrap.target(wrap.next(h))),
+                                    static_cast<std::int32_t>(wrap.target(wrap.next(wrap.next(h))))});
+    }
+    return result;
+}
+
+TriangleMesh fitted_alpha_wrap(const TriangleMesh& surface, double alpha, double offset)
+{
+    TriangleMesh wrap = alpha_wrap(surface, alpha, offset);
+    if (wrap.triangles.empty())
+    {
+        return wrap;
+    }
+    const SurfaceTree input(surface.vertices, surface.triangles);
+    const double step = mean_distance(wrap, input, offset);
+    for (const double share : {1.0, 0.5})
+    {
+        TriangleMesh fitted = drawn_back(wrap, input, share * step);
+        if (self_intersections(fitted).empty())
+        {
+            return fitted;
+        }
+    }
+    return wrap;
+}
+
+} // namespace corticle

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/geometry/triangle_mesh.hpp"
+
+namespace corticle
+{
+
+/// A closed surface around any set of triangles, as a ball of radius `alpha` [mm] that rolls over them at a distance of
+/// `offset` [mm] feels it (CGAL; Portaneri, Rouxel-Labbé, Hemmer, Cohen-Steiner & Alliez 2022). It bridges holes
+/// narrower than the ball and leaves out whatever lies inside. Triangles must not be degenerate.
+TriangleMesh alpha_wrap(const TriangleMesh& surface, double alpha, double offset);
+
+/// alpha_wrap, drawn back onto the triangles: every vertex moves towards its closest point by the mean distance between
+/// the wrap and the triangles, so the offset no longer adds to the volume. Where the surface then crosses itself, it
+/// moves half as far, or not at all.
+TriangleMesh fitted_alpha_wrap(const TriangleMesh& surface, double alpha, double offset);
+
+} // namespace corticle

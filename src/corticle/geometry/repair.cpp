@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/geometry/repair.hpp"
+
+#include "corticle/base/error.hpp"
+#include "corticle/geometry/alpha_wrap.hpp"
+#include "corticle/geometry/mend.hpp"
+#include "corticle/geometry/self_intersections.hpp"
+#include "corticle/geometry/shells.hpp"
+#include "corticle/geometry/validate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+#include <optional>
+
+namespace corticle
+{
+
+namespace
+{
+
+/// Vertices closer than this share of the size are the same: what rounding to single precision leaves.
+constexpr double same_place = 1e-6;
+constexpr double alpha_per_diagonal = 1.0 / 60.0;
+constexpr double offset_per_alpha = 1.0 / 20.0;
+
+void require_finite(const TriangleMesh& surface, const std::string& file)
+{
+    for (std::size_t v = 0; v < surface.vertices.size(); ++v)
+    {
+        const Vec3& p = surface.vertices[v];
+        if (!is_finite(p))
+        {
+            throw InputError(fmt::format("{}: vertex {} is not finite: ({}, {}, {})", file, v, p.x, p.y, p.z));
+        }
+    }
+}
+
+/// The fault that require_valid_surface names; nothing for a valid surface.
+std::optional<std::string> fault_of(const TriangleMesh& surface, const std::string& file)
+{
+    try
+    {
+        require_valid_surface(surface, file);
+    }
+    catch (const InputError& error)
+    {
+        return std::string(error.what()).substr(file.size() + 2); // after "FILE: "
+    }
+    return std::nullopt;
+}
+
+TriangleMesh without_flat_triangles(const TriangleMesh& surface)
+{
+    std::vector<char> keep;
+    for (const Triangle& t : surface.triangles)
+    {
+        const Vec3& a = surface.vertices[t[0]];
+        keep.push_back(squared_norm(cross(surface.vertices[t[1]] - a, surface.vertices[t[2]] - a)) > 0.0 ? 1 : 0);
+    }
+    return kept_triangles(surface, keep);
+}
+
+/// The triangles with what is double or without extent dropped.
+TriangleMesh cleaned(const TriangleMesh& surface, const std::string& file, RepairReport& report)
+{
+    TriangleMesh clean = merge_duplicates(surface);
+    if (clean.triangles.empty())
+    {
+        throw InputError(fmt::format("{}: no triangle with an extent; expected a surface", file));
+    }
+    if (find_edge_faults(clean).boundary_edges > 0)
+    {
+        clean = merge_within(clean, same_place * bounding_diagonal(clean));
+    }
+    clean = drop_repeated_triangles(clean);
+    report.duplicate_vertices = std::ssize(surface.vertices) - std::ssize(clean.vertices);
+    report.dropped_triangles = std::ssize(surface.triangles) - std::ssize(clean.triangles);
+    report.edges = find_edge_faults(clean);
+    report.area_before_mm2 = surface_area(clean.vertices, clean.triangles);
+    report.volume_before_mm3 = enclosed_volume(clean.vertices, clean.triangles);
+    report.inside_out = report.volume_before_mm3 < 0.0;
+    return clean;
+}
+
+void describe_faults(RepairReport& report)
+{
+    const EdgeFaults& edges = report.edges;
+    std::vector<std::string>& lines = report.lines;
+    if (report.duplicate_vertices > 0 || report.dropped_triangles > 0)
+    {
+        lines.push_back(fmt::format("merged or dropped {} vertices and {} triangles that were double or without extent",
+                                    report.duplicate_vertices, report.dropped_triangles));
+    }
+    if (!edges.holes.empty())
+    {
+        lines.push_back(
+            fmt::format("found {} holes with {} boundary edges, the largest of {} edges and {:.4g} mm around",
+                        edges.holes.size(), edges.boundary_edges, edges.holes[0].edges, edges.holes[0].length_mm));
+    }
+    if (edges.crowded_edges > 0)
+    {
+        lines.push_back(fmt::format("found {} edges with more than two triangles", edges.crowded_edges));
+    }
+    if (edges.opposed_edges > 0)
+    {
+        lines.push_back(
+            fmt::format("oriented the triangles: {} edges lay between two of opposite sense", edges.opposed_edges));
+    }
+}
+
+/// @throws InputError, one line without the name of the file, where something could not be mended
+TriangleMesh mended(const TriangleMesh& clean, const std::string& file, RepairReport& report)
+{
+    std::int64_t filled = 0;
+    TriangleMesh mesh = drop_open_crumbs(open_pinched_holes(clean), report.lines);
+    mesh = orient_and_fill_holes(mesh, filled);
+    if (filled > 0)
+    {
+        report.lines.push_back(fmt::format("filled {} holes", filled));
+    }
+    mesh = outer_shell(mesh, file, report.shell_volumes_mm3, report.lines);
+    report.crossing_pairs = std::ssize(self_intersections(mesh));
+    if (report.crossing_pairs > 0)
+    {
+        if (!remove_self_intersections(mesh))
+        {
+            throw InputError(
+                fmt::format("{} pairs of triangles that cross could not be mended", report.crossing_pairs));
+        }
+        report.lines.push_back(
+            fmt::format("replaced the surface about {} pairs of triangles that crossed", report.crossing_pairs));
+    }
+    return mesh;
+}
+
+/// Wide enough for the ball not to fall through the longest rim.
+double chosen_alpha(const TriangleMesh& clean, const RepairReport& report)
+{
+    const double rim = report.edges.holes.empty() ? 0.0 : report.edges.holes[0].length_mm;
+    constexpr double margin = 1.2;
+    return std::max(alpha_per_diagonal * bounding_diagonal(clean), margin * rim / (2.0 * std::numbers::pi));
+}
+
+TriangleMesh wrapped(const TriangleMesh& clean, const std::string& file, const RepairOptions& options,
+                     RepairReport& report)
+{
+    const double alpha = options.alpha_mm > 0.0 ? options.alpha_mm : chosen_alpha(clean, report);
+    const double offset = options.offset_mm > 0.0 ? options.offset_mm : offset_per_alpha * alpha;
+    report.wrapped = true;
+    report.lines.push_back(fmt::format("wrapped with alpha {:.4g} mm and offset {:.4g} mm", alpha, offset));
+    TriangleMesh mesh = fitted_alpha_wrap(without_flat_triangles(clean), alpha, offset);
+    mesh = outer_shell(mesh, file, report.shell_volumes_mm3, report.lines);
+    const double volume = enclosed_volume(mesh.vertices, mesh.triangles);
+    const double area = surface_area(mesh.vertices, mesh.triangles);
+    if (volume < 3.0 * offset * area) // both sides of a sheet, an offset away from it
+    {
+        throw InputError(fmt::format("{}: the wrap went inside through a hole (volume {:.4g} mm³, area {:.4g} mm²); "
+                                     "expected alpha_mm above {:.4g}",
+                                     file, volume, area, alpha));
+    }
+    return mesh;
+}
+
+void require_positive_lengths(const RepairOptions& options)
+{
+    for (const double length : {options.alpha_mm, options.offset_mm})
+    {
+        if (!(length >= 0.0) || !std::isfinite(length))
+        {
+            throw InputError(
+                fmt::format("alpha_mm and offset_mm of a repair; got {} mm; expected 0 (chosen) or more", length));
+        }
+    }
+}
+
+RepairedSurface finished(TriangleMesh mesh, RepairReport report)
+{
+    report.area_after_mm2 = surface_area(mesh.vertices, mesh.triangles);
+    report.volume_after_mm3 = enclosed_volume(mesh.vertices, mesh.triangles);
+    return {std::move(mesh), std::move(report)};
+}
+
+} // namespace
+
+RepairedSurface repair_surface(const TriangleMesh& surface, const std::string& file, Repair choice,
+                               const RepairOptions& options)
+{
+    require_positive_lengths(options);
+    require_finite(surface, file);
+    RepairReport report;
+    TriangleMesh clean = merge_duplicates(surface);
+    if (choice == Repair::none)
+    {
+        require_valid_surface(clean, file);
+    }
+    if (choice != Repair::wrap && !fault_of(clean, file))
+    {
+        report.area_before_mm2 = surface_area(clean.vertices, clean.triangles);
+        report.volume_before_mm3 = enclosed_volume(clean.vertices, clean.triangles);
+        report.duplicate_vertices = std::ssize(surface.vertices) - std::ssize(clean.vertices);
+        report.dropped_triangles = std::ssize(surface.triangles) - std::ssize(clean.triangles);
+        report.shell_volumes_mm3 = {report.volume_before_mm3};
+        return finished(std::move(clean), std::move(report));
+    }
+    clean = cleaned(surface, file, report);
+    describe_faults(report);
+    if (choice == Repair::automatic)
+    {
+        std::optional<std::string> fault;
+        try
+        {
+            TriangleMesh mesh = mended(clean, file, report);
+            fault = fault_of(mesh, file);
+            if (!fault)
+            {
+                return finished(std::move(mesh), std::move(report));
+            }
+        }
+        catch (const SeveralShells&)
+        {
+            throw;
+        }
+        catch (const std::exception& error) // of ours, or one that CGAL throws where it is at a loss
+        {
+            fault = error.what();
+        }
+        report.lines.push_back(fmt::format("mending was not enough: {}", *fault));
+    }
+    TriangleMesh mesh = wrapped(clean, file, options, report);
+    if (const auto fault = fault_of(mesh, file))
+    {
+        throw InputError(fmt::format("{}: cannot be repaired: {} after a wrap; expected a surface that a wrap of "
+                                     "another alpha_mm closes",
+                                     file, *fault));
+    }
+    return finished(std::move(mesh), std::move(report));
+}
+
+} // namespace corticle

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/base/error.hpp"
+#include "corticle/geometry/triangle_mesh.hpp"
+
+#include <string>
+#include <vector>
+
+namespace corticle
+{
+
+/// Several bodies of comparable volume: which one is meant, only the user knows.
+class SeveralShells : public InputError
+{
+  public:
+    using InputError::InputError;
+};
+
+/// Without open pieces of less than 1 % of the area; a line says so.
+TriangleMesh drop_open_crumbs(const TriangleMesh& surface, std::vector<std::string>& lines);
+
+/// The largest of the closed shells of a surface, turned outward. Shells inside it (cavities, inner surfaces) and loose
+/// ones of less than 1 % of its volume are dropped; lines say so. `volumes` are those of all, largest first [mm³].
+/// @throws SeveralShells, naming `file`, when another shell is larger than that
+TriangleMesh outer_shell(const TriangleMesh& surface, const std::string& file, std::vector<double>& volumes,
+                         std::vector<std::string>& lines);
+
+} // namespace corticle
