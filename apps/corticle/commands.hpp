@@ -78,4 +78,14 @@ struct RenderArguments
 };
 int render_command(const RenderArguments& arguments);
 
+struct ExportArguments
+{
+    std::filesystem::path run_folder;
+    std::string format;
+    std::vector<double> times; ///< empty: the last frame
+    std::filesystem::path out; ///< empty: RUN/export
+    std::string structure = "Cortex";
+};
+int export_command(const ExportArguments& arguments);
+
 } // namespace corticle

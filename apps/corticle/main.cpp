@@ -117,7 +117,9 @@ void add_measure(CLI::App& app, Verb& chosen)
 {
     auto arguments = std::make_shared<MeasureArguments>();
     CLI::App* verb = app.add_subcommand("measure", "Area, volume and gyrification indices of a closed surface");
-    verb->add_option("surface", arguments->surface, "STL, OBJ, PLY, OFF or VTP")->type_name("FILE")->required();
+    verb->add_option("surface", arguments->surface, "STL, OBJ, PLY, OFF, VTP, GIFTI or FreeSurfer")
+        ->type_name("FILE")
+        ->required();
     verb->add_option("--unit", arguments->unit, "Unit of length of the file: mm, cm or m")
         ->capture_default_str()
         ->type_name("UNIT")
@@ -134,6 +136,26 @@ void add_render(CLI::App& app, Verb& chosen)
     verb->callback([arguments, &chosen] { chosen = [arguments] { return render_command(*arguments); }; });
 }
 
+void add_export(CLI::App& app, Verb& chosen)
+{
+    auto arguments = std::make_shared<ExportArguments>();
+    CLI::App* verb = app.add_subcommand("export", "Write the deformed surface of a run for other programs");
+    verb->add_option("run", arguments->run_folder, "Run folder")->type_name("RUN")->required();
+    verb->add_option("--format", arguments->format, "gifti, freesurfer, ply or stl")
+        ->type_name("FORMAT")
+        ->required()
+        ->check(CLI::IsMember({"gifti", "freesurfer", "ply", "stl"}));
+    verb->add_option("--time", arguments->times, "Growth time; the nearest frame is written (default: the last)")
+        ->type_name("T")
+        ->type_size(1)
+        ->allow_extra_args(false);
+    verb->add_option("--out", arguments->out, "Folder to write to (default: RUN/export)")->type_name("DIR");
+    verb->add_option("--structure", arguments->structure, "GIFTI: part of the brain, CortexLeft, CortexRight, ...")
+        ->capture_default_str()
+        ->type_name("NAME");
+    verb->callback([arguments, &chosen] { chosen = [arguments] { return export_command(*arguments); }; });
+}
+
 int dispatch(int argc, char** argv)
 {
     CLI::App app("Corticle: meshless simulation of cortical folding", "corticle");
@@ -141,7 +163,7 @@ int dispatch(int argc, char** argv)
     app.require_subcommand(1);
     app.footer("Exit status: 0 done, 2 bad usage or input, 3 the run failed, 130 interrupted.");
     Verb chosen;
-    for (auto add : {add_run, add_prepare, add_new, add_check, add_schema, add_measure, add_render})
+    for (auto add : {add_run, add_prepare, add_new, add_check, add_schema, add_measure, add_render, add_export})
     {
         add(app, chosen);
     }
@@ -159,7 +181,7 @@ int dispatch(int argc, char** argv)
         if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(named).empty())
         {
             return complain("unknown verb \"" + std::string(argv[1]) +
-                                "\", expected run, prepare, new, check, schema, measure or render",
+                                "\", expected run, prepare, new, check, schema, measure, render or export",
                             exit_status::bad_input);
         }
         return complain(std::string(error.what()) + " (`corticle --help` shows the usage)", exit_status::bad_input);

@@ -11,7 +11,7 @@ FILE_CASE = '[geometry]\nshape = "file"\nfile = "{}"\nparticles = 1000\n'
 
 
 def usage(bench):
-    for verb in ("run", "new", "check", "schema", "measure", "render"):
+    for verb in ("run", "new", "check", "schema", "measure", "render", "export"):
         bench.check("Usage" in bench.accepted(verb, "--help"), f"{verb} --help shows no usage")
         bench.check(verb in bench.accepted("--help"), f"--help does not list {verb}")
     bench.check(bench.accepted("--version").startswith("corticle "), "--version")
@@ -25,6 +25,9 @@ def usage(bench):
     bench.refused(["run", "case.toml", "--threads", "many"], ["--threads", "many"])
     bench.refused(["measure", "a.stl", "--unit", "inch"], ["inch", "mm"])
     bench.refused(["render", "no_such_run"], ["no_such_run"])
+    bench.refused(["export", "no_such_run", "--format", "gifti"], ["no_such_run", "surface.pvd"])
+    bench.refused(["export", "no_such_run", "--format", "nifti"], ["nifti", "freesurfer"])
+    bench.refused(["export", "no_such_run"], ["--format"])
 
 
 def schema(bench):

@@ -3,10 +3,8 @@
 #include "corticle/io/surface_map.hpp"
 
 #include "corticle/io/vtk_files.hpp"
-#include "fuzz/fuzzing.hpp"
+#include "fuzz/reader_fuzz.hpp"
 #include "io/gifti_samples.hpp"
-
-#include <cstdlib>
 
 namespace corticle
 {
@@ -37,10 +35,11 @@ std::vector<Sample> samples()
 int main(int argc, char** argv)
 {
     using namespace corticle;
-    return fuzz(samples(), argc > 1 ? std::atof(argv[1]) : 10.0,
-                [](const std::string& extension, const std::string& bytes)
-                {
-                    const bool is_single = extension == "thickness" || extension == "txt";
-                    parse_surface_map(bytes, extension, "fuzz." + extension, is_single ? "" : "depth", 4);
-                });
+    limit_memory();
+    return fuzz_reader(argc > 1 ? std::atof(argv[1]) : 10.0, samples(), {"\"", "<", "/>", "<!--", ",", ";", "#", "depth"},
+                       [](const std::string& kind, const std::string& bytes)
+                       {
+                           const bool is_single = kind == "thickness" || kind == "txt";
+                           parse_surface_map(bytes, kind, "fuzz." + kind, is_single ? "" : "depth", 4);
+                       });
 }
