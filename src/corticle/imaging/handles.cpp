@@ -18,7 +18,10 @@ namespace
 /// Fills that are tried, smallest first: each costs one growth.
 constexpr std::size_t most_trials = 12;
 
-/// What the change of a set of voxels costs: one a voxel, and more where the value is far from the level.
+/// Fills count double: in a brain, a bridge over a fissure is more often false than the fissure.
+constexpr double fill_weight = 2.0;
+
+/// What the change of a voxel costs: more where the value is far from the level.
 double change_cost(float value, float level)
 {
     return 0.5 + 4.0 * static_cast<double>(std::abs(value - level));
@@ -85,7 +88,7 @@ class HandleRemoval
         Attempt result;
         result.ball = grow_ball(grid_, filled, value_, depth_);
         result.cost = cost_of(difference(filled, result.ball), value_, level_) +
-                      cost_of(difference(filled, mask_), value_, level_);
+                      fill_weight * cost_of(difference(filled, mask_), value_, level_);
         result.filled = std::move(filled);
         return result;
     }
@@ -103,7 +106,7 @@ class HandleRemoval
         order.resize(std::min(order.size(), most_trials));
         for (const std::int32_t fill : order)
         {
-            if (static_cast<double>(fills.sizes[fill]) * change_cost(0.0F, 0.0F) >= best.cost)
+            if (fill_weight * static_cast<double>(fills.sizes[fill]) * change_cost(0.0F, 0.0F) >= best.cost)
             {
                 break;
             }
