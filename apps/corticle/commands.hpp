@@ -45,7 +45,7 @@ int prepare_command(const PrepareArguments& arguments);
 
 struct NewArguments
 {
-    std::filesystem::path case_file;
+    std::string what; ///< "brain", or the case to write
     std::string shape = "sphere";
 };
 int new_command(const NewArguments& arguments);

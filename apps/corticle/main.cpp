@@ -86,8 +86,10 @@ void add_prepare(CLI::App& app, Verb& chosen)
 void add_new(CLI::App& app, Verb& chosen)
 {
     auto arguments = std::make_shared<NewArguments>();
-    CLI::App* verb = app.add_subcommand("new", "Write a commented starter case; never overwrites");
-    verb->add_option("case", arguments->case_file, "Case to write")->type_name("NAME.toml")->required();
+    CLI::App* verb = app.add_subcommand("new", "Write a commented starter case, or a phantom brain; never overwrites");
+    verb->add_option("case", arguments->what, "Case to write; brain: the phantom, as brain.nii.gz and brain.toml")
+        ->type_name("NAME.toml|brain")
+        ->required();
     verb->add_option("--shape", arguments->shape, "sphere, ellipsoid or file")
         ->capture_default_str()
         ->type_name("SHAPE")

@@ -3,6 +3,8 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/config/starter.hpp"
+#include "corticle/imaging/phantom.hpp"
+#include "corticle/io/nifti.hpp"
 
 #include <fmt/format.h>
 
@@ -13,14 +15,30 @@
 namespace corticle
 {
 
-int new_command(const NewArguments& arguments)
+namespace
 {
-    const std::string name = arguments.case_file.string();
-    if (arguments.case_file.extension() != ".toml")
-    {
-        throw InputError(fmt::format("cannot write case: got {}, expected a name that ends in .toml", name));
-    }
-    const std::string text = starter_case(arguments.shape);
+
+constexpr std::string_view brain_case = R"(# A phantom of a fetal brain of about 23 weeks, from its tissue labels.
+#   corticle prepare brain.toml     look at the body first
+#   corticle run brain.toml         fold it
+
+[geometry]
+shape = "file"
+file = "brain.nii.gz"
+labels = [2, 3, 5, 7]     # cortical grey matter, white matter, ventricles, deep grey matter
+particles = 60000
+
+[tissue]
+layer = "smooth"
+thickness_mm = 2.5
+
+[output]
+count = 10
+)";
+
+/// Writes a text that must not be there yet.
+void write_new(const std::string& name, std::string_view text)
+{
     std::FILE* file = std::fopen(name.c_str(), "wx"); // x: fails where the file exists
     if (file == nullptr)
     {
@@ -34,6 +52,40 @@ int new_command(const NewArguments& arguments)
         throw RunError(fmt::format("cannot write case {}: the disk refused it", name));
     }
     fmt::print("wrote {}\n", name);
+}
+
+/// The built-in brain: brain.nii.gz and brain.toml in the present folder.
+void write_brain()
+{
+    constexpr const char* image = "brain.nii.gz";
+    for (const char* name : {image, "brain.toml"})
+    {
+        if (std::filesystem::exists(name))
+        {
+            throw InputError(fmt::format("cannot write {}: it exists, and new never overwrites", name));
+        }
+    }
+    write_nifti(image, make_brain_phantom({}));
+    fmt::print("wrote {}\n", image);
+    write_new("brain.toml", brain_case);
+}
+
+} // namespace
+
+int new_command(const NewArguments& arguments)
+{
+    if (arguments.what == "brain")
+    {
+        write_brain();
+        return exit_status::done;
+    }
+    const std::filesystem::path file = arguments.what;
+    if (file.extension() != ".toml")
+    {
+        throw InputError(
+            fmt::format("cannot write case: got {}, expected brain or a name that ends in .toml", file.string()));
+    }
+    write_new(file.string(), starter_case(arguments.shape));
     return exit_status::done;
 }
 
