@@ -13,8 +13,8 @@ void for_lines(const VoxelGrid& grid, int axis, Line&& line)
 {
     const int u = axis == 0 ? 1 : 0;
     const int v = axis == 2 ? 1 : 2;
-    parallel_for(grid.size[u] * grid.size[v], [&](std::int64_t k)
-                 { line(k % grid.size[u] * grid.stride(u) + k / grid.size[u] * grid.stride(v)); });
+    parallel_for(grid.size[u] * grid.size[v],
+                 [&](std::int64_t k) { line(k % grid.size[u] * grid.stride(u) + k / grid.size[u] * grid.stride(v)); });
 }
 
 } // namespace corticle

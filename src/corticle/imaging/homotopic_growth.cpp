@@ -124,8 +124,9 @@ Mask shrink_ball(const VoxelGrid& grid, const Mask& mask, std::span<const float>
     Front front(grid, ball, std::move(open), 0);
     for (std::int64_t voxel = 0; voxel < grid.count(); ++voxel)
     {
-        const bool by_the_wall = ball[voxel] == 1 && std::any_of(offsets.begin(), offsets.end(), [&](std::int64_t offset)
-                                                                 { return ball[voxel + offset] == 0; });
+        const bool by_the_wall =
+            ball[voxel] == 1 &&
+            std::any_of(offsets.begin(), offsets.end(), [&](std::int64_t offset) { return ball[voxel + offset] == 0; });
         if (by_the_wall)
         {
             front.push(voxel, rank);

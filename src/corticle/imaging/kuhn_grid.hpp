@@ -25,8 +25,8 @@ bool is_simple(unsigned inside);
 /// Components less handles plus cavities of a mask (vertices - edges + triangles - tetrahedra).
 std::int64_t euler_characteristic(const VoxelGrid& grid, const Mask& mask);
 
-/// Numbers the components, from 1 in the order of their first voxels, of the voxels with mask == `value` (others get 0),
-/// and tells their sizes; sizes[0] is unused.
+/// Numbers the components, from 1 in the order of their first voxels, of the voxels with mask == `value` (others get
+/// 0), and tells their sizes; sizes[0] is unused.
 struct Components
 {
     std::vector<std::int32_t> number;

@@ -10,9 +10,9 @@ namespace corticle
 {
 
 /// The surface value = level of the values interpolated linearly in the tetrahedra of Kuhn's triangulation of the voxel
-/// centres (kuhn_grid.hpp), in the frame of the grid [mm]; closed, manifold and outward whatever the frame's handedness.
-/// Values in the outermost layer are not above the level. Crossings keep `clearance` (a share of the edge) from its
-/// ends, so that no triangle degenerates. (Marching tetrahedra: Doi & Koide 1991; no ambiguous cases.)
+/// centres (kuhn_grid.hpp), in the frame of the grid [mm]; closed, manifold and outward whatever the frame's
+/// handedness. Values in the outermost layer are not above the level. Crossings keep `clearance` (a share of the edge)
+/// from its ends, so that no triangle degenerates. (Marching tetrahedra: Doi & Koide 1991; no ambiguous cases.)
 TriangleMesh marching_tetrahedra(const VoxelGrid& grid, std::span<const float> values, float level,
                                  double clearance = 0.0);
 

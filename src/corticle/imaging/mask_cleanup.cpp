@@ -72,8 +72,8 @@ void require_labels(const LabelVolume& image, std::span<const std::int64_t> labe
     }
     if (!missing.empty())
     {
-        throw InputError(fmt::format("label image: no voxel has label {}; there are {}", *missing.begin(),
-                                     present_labels(image)));
+        throw InputError(
+            fmt::format("label image: no voxel has label {}; there are {}", *missing.begin(), present_labels(image)));
     }
 }
 
@@ -200,7 +200,8 @@ std::int64_t keep_largest_component(const VoxelGrid& grid, Mask& mask)
     if (components > 0)
     {
         mask[start_of_largest] = 1;
-        flood(grid, start_of_largest, stack, [&](std::int64_t v) { return mask[v] == 2 ? (mask[v] = 1, true) : false; });
+        flood(grid, start_of_largest, stack,
+              [&](std::int64_t v) { return mask[v] == 2 ? (mask[v] = 1, true) : false; });
         std::replace(mask.begin(), mask.end(), std::uint8_t{2}, std::uint8_t{0});
     }
     return components;

@@ -13,9 +13,9 @@ namespace corticle
 /// What one step of the clean-up did to the mask.
 struct MaskStep
 {
-    std::string name;             ///< "labels", "largest component", "closing", "cavities", "hemisphere", ...
-    std::int64_t added = 0;       ///< voxels
-    std::int64_t removed = 0;     ///< voxels
+    std::string name;         ///< "labels", "largest component", "closing", "cavities", "hemisphere", ...
+    std::int64_t added = 0;   ///< voxels
+    std::int64_t removed = 0; ///< voxels
     double added_mm3 = 0.0;
     double removed_mm3 = 0.0;
 };
@@ -31,8 +31,8 @@ struct HandleChange
 struct MaskReport
 {
     std::vector<MaskStep> steps;
-    double mask_volume_mm3 = 0.0;      ///< of the clean mask, before smoothing
-    double surface_volume_mm3 = 0.0;   ///< enclosed by the surface
+    double mask_volume_mm3 = 0.0;    ///< of the clean mask, before smoothing
+    double surface_volume_mm3 = 0.0; ///< enclosed by the surface
     double surface_area_mm2 = 0.0;
     Vec3 extent_mm;                    ///< of the surface along right, anterior, superior
     double iso_level = 0.0;            ///< of the smoothed mask, at the surface

@@ -42,8 +42,8 @@ void require_options(const MaskOptions& options)
     require_range("smoothing_mm", options.smoothing_mm, 5.0);
     if (options.hemisphere != "both" && options.hemisphere != "left" && options.hemisphere != "right")
     {
-        throw InputError(fmt::format("hemisphere = \"{}\"; expected \"both\", \"left\" or \"right\"",
-                                     options.hemisphere));
+        throw InputError(
+            fmt::format("hemisphere = \"{}\"; expected \"both\", \"left\" or \"right\"", options.hemisphere));
     }
 }
 
@@ -66,8 +66,7 @@ class SurfaceBuilder
   public:
     SurfaceBuilder(const LabelVolume& image, const MaskOptions& options) : options_(options)
     {
-        GridMask selected =
-            select_labels(image, options.labels, options.closing_mm + 2.0 * options.smoothing_mm);
+        GridMask selected = select_labels(image, options.labels, options.closing_mm + 2.0 * options.smoothing_mm);
         grid_ = selected.grid;
         mask_ = std::move(selected.mask);
         note("labels", Mask(mask_.size(), 0), mask_);
@@ -107,8 +106,12 @@ class SurfaceBuilder
     {
         smooth_gaussian(grid_, options_.smoothing_mm, values_);
         find_level();
-        change("smoothing", [&] { std::transform(values_.begin(), values_.end(), mask_.begin(), [&](float value)
-                                                 { return static_cast<std::uint8_t>(value > level_); }); });
+        change("smoothing",
+               [&]
+               {
+                   std::transform(values_.begin(), values_.end(), mask_.begin(),
+                                  [&](float value) { return static_cast<std::uint8_t>(value > level_); });
+               });
         require_voxels();
         change("loose parts", [&] { drop_loose_parts(); });
         change("cavities after smoothing", [&] { fill_closed_cavities(); });

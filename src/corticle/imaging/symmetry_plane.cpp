@@ -14,7 +14,7 @@ namespace
 {
 
 constexpr double blur_mm = 2.0; ///< of the mask, so that the overlap changes smoothly with the plane
-constexpr std::int64_t most_samples = 20000;
+constexpr std::int64_t most_samples = 8000;
 
 /// Shift from the centroid [mm], tilts about y and z [rad].
 using Pose = std::array<double, 3>;

@@ -15,10 +15,10 @@ namespace corticle
 bool is_nifti(const std::filesystem::path& file);
 
 /// Reads tissue labels from a NIfTI-1 or NIfTI-2 file of one piece (`.nii`, or gzip-compressed, whatever its name), of
-/// either byte order, with integer or float numbers; scl_slope and scl_inter are applied, and numbers that are whole but
-/// for round-off become labels. The frame is that of sform if sform_code > 0, else of qform if qform_code > 0, else the
-/// voxel sizes alone, centred, x to the left (as nibabel does); units of xyzt_units become millimetres. Of a 4D image
-/// `volume` chooses one, from 0. Never crashes, hangs or allocates more than the file can justify.
+/// either byte order, with integer or float numbers; scl_slope and scl_inter are applied, and numbers that are whole
+/// but for round-off become labels. The frame is that of sform if sform_code > 0, else of qform if qform_code > 0, else
+/// the voxel sizes alone, centred, x to the left (as nibabel does); units of xyzt_units become millimetres. Of a 4D
+/// image `volume` chooses one, from 0. Never crashes, hangs or allocates more than the file can justify.
 /// @throws InputError, one line naming the file, when it is missing, truncated, not of this format, a 4D image without
 /// `volume`, or holds absurd sizes or numbers that are no labels.
 LabelVolume read_nifti(const std::filesystem::path& file, std::optional<std::int64_t> volume = {});

@@ -98,7 +98,8 @@ class HeaderFields
     void require_magic() const
     {
         const std::string_view magic(bytes_.data() + layout_.magic, layout_.wide ? 8 : 4);
-        const std::string_view single = layout_.wide ? std::string_view("n+2\0\r\n\032\n", 8) : std::string_view("n+1", 4);
+        const std::string_view single =
+            layout_.wide ? std::string_view("n+2\0\r\n\032\n", 8) : std::string_view("n+1", 4);
         if (magic.substr(0, 3) == "ni1" || magic.substr(0, 3) == "ni2")
         {
             fail_reading(name_, "a pair of header and image files", magic.substr(0, 3),
@@ -168,8 +169,8 @@ Mat3 quaternion_rotation(double b, double c, double d)
 VoxelFrame qform_frame(const HeaderFields& fields, const std::string& name)
 {
     const NiftiLayout& at = fields.layout();
-    const auto [b, c, d] = std::array{fields.real(at.quaternion, 0), fields.real(at.quaternion, 1),
-                                      fields.real(at.quaternion, 2)};
+    const auto [b, c, d] =
+        std::array{fields.real(at.quaternion, 0), fields.real(at.quaternion, 1), fields.real(at.quaternion, 2)};
     constexpr double round_off = 1e-3; // of three floats
     if (!(b * b + c * c + d * d <= 1.0 + round_off))
     {
@@ -177,8 +178,8 @@ VoxelFrame qform_frame(const HeaderFields& fields, const std::string& name)
                      "a length of at most 1");
     }
     const double flip = fields.real(at.pixdim) == -1.0 ? -1.0 : 1.0;
-    const Mat3 zooms = Mat3::diagonal(fields.real(at.pixdim, 1), fields.real(at.pixdim, 2),
-                                      flip * fields.real(at.pixdim, 3));
+    const Mat3 zooms =
+        Mat3::diagonal(fields.real(at.pixdim, 1), fields.real(at.pixdim, 2), flip * fields.real(at.pixdim, 3));
     return {quaternion_rotation(b, c, d) * zooms,
             {fields.real(at.offset, 0), fields.real(at.offset, 1), fields.real(at.offset, 2)}};
 }

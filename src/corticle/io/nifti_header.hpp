@@ -33,11 +33,11 @@ enum class NiftiType : std::int16_t
 /// Where a NIfTI file keeps what.
 struct NiftiLayout
 {
-    std::size_t size;   ///< of the header [bytes]
-    std::size_t magic;  ///< the rest: offsets of the fields
+    std::size_t size;  ///< of the header [bytes]
+    std::size_t magic; ///< the rest: offsets of the fields
     std::size_t dim, datatype, pixdim, vox_offset, scl_slope, scl_inter;
     std::size_t qform_code, sform_code, quaternion, offset, sform, units;
-    bool wide;          ///< NIfTI-2: 64-bit dimensions and numbers
+    bool wide; ///< NIfTI-2: 64-bit dimensions and numbers
 };
 inline constexpr NiftiLayout nifti1_layout{348, 344, 40, 70, 76, 108, 112, 116, 252, 254, 256, 268, 280, 123, false};
 inline constexpr NiftiLayout nifti2_layout{540, 4, 16, 12, 104, 168, 176, 184, 344, 348, 352, 376, 400, 500, true};

@@ -164,7 +164,8 @@ LabelVolume parse_nifti(std::string_view bytes, const std::string& name, std::op
     image.frame = header.frame;
     const std::size_t number = size_of(header.type);
     const auto voxels = static_cast<std::size_t>(header.size[0] * header.size[1] * header.size[2]);
-    const std::size_t before = header.skip + chosen_volume(header, volume, name) * voxels * number;
+    const std::size_t chosen = chosen_volume(header, volume, name);
+    const std::size_t before = header.skip + chosen * voxels * number;
     const std::size_t announced = before + voxels * number;
     if (announced > stream.most_left())
     {
@@ -184,6 +185,10 @@ LabelVolume parse_nifti(std::string_view bytes, const std::string& name, std::op
             fail_short(name, image.labels.size() * number + there, voxels * number);
         }
         reader.append(piece.data(), wanted, image.labels);
+    }
+    if (chosen + 1 == static_cast<std::size_t>(header.volumes))
+    {
+        stream.read(piece.data(), 1); // past the end, where gzip keeps its check sum
     }
     reader.require_labels(voxels);
     return image;

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/imaging/phantom.hpp"
+
+#include "corticle/base/error.hpp"
+#include "corticle/geometry/surface_tree.hpp"
+#include "corticle/geometry/validate.hpp"
+#include "corticle/imaging/surface_from_labels.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace corticle
+{
+
+namespace
+{
+
+MaskOptions body_options()
+{
+    MaskOptions options;
+    options.labels = {phantom_label::cortex, phantom_label::white, phantom_label::ventricle, phantom_label::deep};
+    return options;
+}
+
+} // namespace
+
+TEST(Phantom, IsAValidBrainOf23Weeks)
+{
+    const ImagedSurface result = surface_from_labels(make_brain_phantom({}), body_options());
+    require_valid_surface(result.surface, "phantom");
+    EXPECT_EQ(result.report.genus_before, 0);
+    EXPECT_TRUE(result.report.warnings.empty());
+    EXPECT_NEAR(result.report.surface_volume_mm3, 64000.0, 1500.0);
+    EXPECT_NEAR(result.report.extent_mm.y, 64.0, 0.8); // a voxel
+    const SurfaceTree tree(result.surface.vertices, result.surface.triangles);
+    EXPECT_EQ(tree.winding_number({0.01, 0.02, 0.03}), 1); // the bridge in the depth
+    EXPECT_EQ(tree.winding_number({0.01, 20.0, 5.0}), 0);  // the fissure
+    EXPECT_EQ(tree.winding_number({0.01, -22.0, 5.0}), 0);
+    EXPECT_EQ(tree.winding_number({12.0, 20.0, 5.0}), 1);   // a hemisphere
+    EXPECT_EQ(tree.winding_number({-19.0, 3.0, -12.0}), 1); // a temporal lobe
+    EXPECT_EQ(tree.winding_number({-24.0, 9.0, -4.5}), 0);  // the Sylvian fissure
+}
+
+TEST(Phantom, IsSymmetricAndHasAllTissues)
+{
+    const LabelVolume image = make_brain_phantom({32.0, 1.0});
+    for (const std::int32_t label : {0, 1, 2, 3, 5, 7})
+    {
+        EXPECT_GT(std::count(image.labels.begin(), image.labels.end(), label), 50) << label;
+    }
+    for (std::size_t row = 0; row < image.labels.size(); row += static_cast<std::size_t>(image.size[0]))
+    {
+        const auto begin = image.labels.begin() + static_cast<std::ptrdiff_t>(row);
+        EXPECT_TRUE(std::equal(begin, begin + image.size[0], std::make_reverse_iterator(begin + image.size[0])));
+    }
+}
+
+TEST(Phantom, RefusesAbsurdSizes)
+{
+    EXPECT_THROW(make_brain_phantom({0.0, 0.8}), InputError);
+    EXPECT_THROW(make_brain_phantom({64.0, -1.0}), InputError);
+    EXPECT_THROW(make_brain_phantom({64.0, 0.001}), InputError);
+}
+
+} // namespace corticle
