@@ -151,6 +151,7 @@ TEST(Repair, FillsALargeHoleRoundly)
     const TriangleMesh open = without_cap(ellipsoid());
     const RepairedSurface result = repair_surface(open, "body.stl", Repair::automatic);
     EXPECT_FALSE(result.report.wrapped);
+    EXPECT_NO_THROW(repair_surface(open, "body.stl", Repair::wrap)); // the ball stays outside
     ASSERT_EQ(result.report.edges.holes.size(), 1u);
     EXPECT_GT(result.report.edges.holes[0].length_mm, 20.0);
     // A flat lid would lose 3.5 % of the volume.
@@ -241,6 +242,28 @@ TEST(Repair, RefusesToChooseBetweenBodies)
     }
 }
 
+TEST(Repair, WrapsBodiesThatOverlapIntoOne)
+{
+    const TriangleMesh two = together(ellipsoid(), moved(ellipsoid(), {10.0, 0.0, 0.0}));
+    EXPECT_THAT(refusal(two, Repair::automatic), HasSubstr("several shells"));
+    // The lens that two unit spheres share at distance 1 has the volume 5 pi / 12.
+    const double both = 2.0 * ellipsoid_volume - 5.0 * std::numbers::pi / 12.0 * 10.0 * 8.0 * 7.0;
+    const RepairedSurface result = repair_surface(two, "body.stl", Repair::wrap);
+    EXPECT_NEAR(result.report.volume_after_mm3, both, 0.01 * both);
+}
+
+TEST(Repair, WrapsWhatCannotBeMended)
+{
+    TriangleMesh walled = box({0, 0, 0}, {10, 8, 6});
+    walled.triangles.insert(walled.triangles.end(), {{2, 3, 5}, {2, 5, 4}}); // a wall inside, along two diagonals
+    EXPECT_THAT(refusal(walled, Repair::none), HasSubstr("not manifold: 4 edges"));
+    const RepairedSurface result = repair_surface(walled, "body.stl", Repair::automatic);
+    EXPECT_EQ(result.report.edges.crowded_edges, 4);
+    EXPECT_TRUE(result.report.wrapped);
+    EXPECT_THAT(result.report.lines, Contains(HasSubstr("mending was not enough")));
+    EXPECT_NEAR(result.report.volume_after_mm3, 480.0, 0.01 * 480.0);
+}
+
 TEST(Repair, RefusesNumbersThatAreNotFiniteAndWrapsThatFallInside)
 {
     TriangleMesh bad = ellipsoid();
@@ -249,6 +272,7 @@ TEST(Repair, RefusesNumbersThatAreNotFiniteAndWrapsThatFallInside)
     const TriangleMesh open = without_cap(ellipsoid());
     EXPECT_THAT(refusal(open, Repair::wrap, {1.0, 0.1}), HasSubstr("through a hole"));
     EXPECT_THAT(refusal(open, Repair::wrap, {-1.0, 0.02}), HasSubstr("alpha_mm"));
+    EXPECT_THAT(refusal(open, Repair::wrap, {1.0, 1e-9}), HasSubstr("offset_mm"));
     const TriangleMesh flat{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
     for (const Repair choice : {Repair::automatic, Repair::wrap})
     {

@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 #include <optional>
 
 namespace corticle
@@ -23,7 +22,12 @@ namespace
 /// Vertices closer than this share of the size are the same: what rounding to single precision leaves.
 constexpr double same_place = 1e-6;
 constexpr double alpha_per_diagonal = 1.0 / 60.0;
+constexpr double largest_alpha = 0.25; // of the diagonal, where we choose
 constexpr double offset_per_alpha = 1.0 / 20.0;
+constexpr double largest_offset = 1.0 / 400.0;
+/// Finer wraps than these shares of the size take minutes and millions of triangles.
+constexpr double finest_alpha = 1e-3;
+constexpr double finest_offset = 1e-5;
 
 void require_finite(const TriangleMesh& surface, const std::string& file)
 {
@@ -37,6 +41,18 @@ void require_finite(const TriangleMesh& surface, const std::string& file)
     }
 }
 
+/// A message without "FILE: " before it.
+std::string without_name(const std::string& message, const std::string& file)
+{
+    return message.starts_with(file + ": ") ? message.substr(file.size() + 2) : message;
+}
+
+/// All triangles hang together by their vertices.
+bool is_connected(const TriangleMesh& surface)
+{
+    return std::ranges::all_of(shells_of(surface), [](std::int32_t shell) { return shell == 0; });
+}
+
 /// The fault that require_valid_surface names; nothing for a valid surface.
 std::optional<std::string> fault_of(const TriangleMesh& surface, const std::string& file)
 {
@@ -46,7 +62,7 @@ std::optional<std::string> fault_of(const TriangleMesh& surface, const std::stri
     }
     catch (const InputError& error)
     {
-        return std::string(error.what()).substr(file.size() + 2); // after "FILE: "
+        return without_name(error.what(), file);
     }
     return std::nullopt;
 }
@@ -135,19 +151,25 @@ TriangleMesh mended(const TriangleMesh& clean, const std::string& file, RepairRe
     return mesh;
 }
 
-/// Wide enough for the ball not to fall through the longest rim.
-double chosen_alpha(const TriangleMesh& clean, const RepairReport& report)
+/// Wide enough for the ball not to fall through the widest hole, as far as the size allows.
+double chosen_alpha(const RepairReport& report, double diagonal)
 {
-    const double rim = report.edges.holes.empty() ? 0.0 : report.edges.holes[0].length_mm;
     constexpr double margin = 1.2;
-    return std::max(alpha_per_diagonal * bounding_diagonal(clean), margin * rim / (2.0 * std::numbers::pi));
+    double widest = 0.0;
+    for (const SurfaceHole& hole : report.edges.holes)
+    {
+        widest = std::max(widest, hole.radius_mm);
+    }
+    return std::clamp(margin * widest, alpha_per_diagonal * diagonal, largest_alpha * diagonal);
 }
 
 TriangleMesh wrapped(const TriangleMesh& clean, const std::string& file, const RepairOptions& options,
                      RepairReport& report)
 {
-    const double alpha = options.alpha_mm > 0.0 ? options.alpha_mm : chosen_alpha(clean, report);
-    const double offset = options.offset_mm > 0.0 ? options.offset_mm : offset_per_alpha * alpha;
+    const double diagonal = bounding_diagonal(clean);
+    const double alpha = options.alpha_mm > 0.0 ? options.alpha_mm : chosen_alpha(report, diagonal);
+    const double offset =
+        options.offset_mm > 0.0 ? options.offset_mm : std::min(offset_per_alpha * alpha, largest_offset * diagonal);
     report.wrapped = true;
     report.lines.push_back(fmt::format("wrapped with alpha {:.4g} mm and offset {:.4g} mm", alpha, offset));
     TriangleMesh mesh = fitted_alpha_wrap(without_flat_triangles(clean), alpha, offset);
@@ -163,16 +185,20 @@ TriangleMesh wrapped(const TriangleMesh& clean, const std::string& file, const R
     return mesh;
 }
 
-void require_positive_lengths(const RepairOptions& options)
+void require_usable_lengths(const RepairOptions& options, double diagonal)
 {
-    for (const double length : {options.alpha_mm, options.offset_mm})
+    const auto require = [](const char* name, double length, double least)
     {
-        if (!(length >= 0.0) || !std::isfinite(length))
+        const bool is_chosen_here = length == 0.0;
+        if (!is_chosen_here && !(length >= least && std::isfinite(length)))
         {
-            throw InputError(
-                fmt::format("alpha_mm and offset_mm of a repair; got {} mm; expected 0 (chosen) or more", length));
+            throw InputError(fmt::format("{} of the wrap: got {} mm; expected 0 (chosen by the surface) or at least "
+                                         "{:.3g} mm for a surface of this size",
+                                         name, length, least));
         }
-    }
+    };
+    require("alpha_mm", options.alpha_mm, finest_alpha * diagonal);
+    require("offset_mm", options.offset_mm, finest_offset * diagonal);
 }
 
 RepairedSurface finished(TriangleMesh mesh, RepairReport report)
@@ -187,7 +213,6 @@ RepairedSurface finished(TriangleMesh mesh, RepairReport report)
 RepairedSurface repair_surface(const TriangleMesh& surface, const std::string& file, Repair choice,
                                const RepairOptions& options)
 {
-    require_positive_lengths(options);
     require_finite(surface, file);
     RepairReport report;
     TriangleMesh clean = merge_duplicates(surface);
@@ -205,6 +230,7 @@ RepairedSurface repair_surface(const TriangleMesh& surface, const std::string& f
         return finished(std::move(clean), std::move(report));
     }
     clean = cleaned(surface, file, report);
+    require_usable_lengths(options, bounding_diagonal(clean));
     describe_faults(report);
     if (choice == Repair::automatic)
     {
@@ -218,13 +244,17 @@ RepairedSurface repair_surface(const TriangleMesh& surface, const std::string& f
                 return finished(std::move(mesh), std::move(report));
             }
         }
-        catch (const SeveralShells&)
+        catch (const SeveralShells& error)
         {
-            throw;
+            if (!is_connected(clean))
+            {
+                throw;
+            }
+            fault = without_name(error.what(), file); // one body with walls inside, cut apart
         }
         catch (const std::exception& error) // of ours, or one that CGAL throws where it is at a loss
         {
-            fault = error.what();
+            fault = without_name(error.what(), file);
         }
         report.lines.push_back(fmt::format("mending was not enough: {}", *fault));
     }

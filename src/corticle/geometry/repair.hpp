@@ -18,7 +18,7 @@ enum class Repair
 struct RepairOptions
 {
     double alpha_mm = 0.0;  ///< radius of the ball that feels the surface in a wrap; 0: chosen from size and holes
-    double offset_mm = 0.0; ///< distance at which it does; 0: alpha / 20
+    double offset_mm = 0.0; ///< distance at which it does; 0: alpha / 20, at most 1/400 of the diagonal
 };
 
 /// What was wrong with a surface, and what was done about it.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numbers>
 #include <numeric>
 #include <set>
 #include <tuple>
@@ -75,15 +76,19 @@ std::vector<SurfaceHole> holes_of(const TriangleMesh& surface, const std::vector
         rims.join(a, b);
     }
     std::map<std::int32_t, SurfaceHole> by_root;
+    std::map<std::int32_t, TriangleMesh> rim_points;
     for (const auto& [a, b] : boundary)
     {
         SurfaceHole& hole = by_root[rims.root(a)];
         ++hole.edges;
         hole.length_mm += norm(surface.vertices[a] - surface.vertices[b]);
+        std::vector<Vec3>& points = rim_points[rims.root(a)].vertices;
+        points.insert(points.end(), {surface.vertices[a], surface.vertices[b]});
     }
     std::vector<SurfaceHole> holes;
-    for (const auto& [root, hole] : by_root)
+    for (auto& [root, hole] : by_root)
     {
+        hole.radius_mm = std::min(hole.length_mm / (2.0 * std::numbers::pi), 0.5 * bounding_diagonal(rim_points[root]));
         holes.push_back(hole);
     }
     std::stable_sort(holes.begin(), holes.end(),

@@ -14,6 +14,7 @@ struct SurfaceHole
 {
     std::int64_t edges = 0;
     double length_mm = 0.0; ///< of its rim
+    double radius_mm = 0.0; ///< of a circle as wide as the rim is long, or of the rim's bounding box, whichever is less
 };
 
 /// What edges say about any set of triangles.
