@@ -140,6 +140,8 @@ TEST(TetReader, RefusesOtherKindsAndVersions)
     EXPECT_THAT(refusal(replaced(gmsh_2(mesh, SampleText::Form::little_endian), std::string("\1\0\0\0\n$End", 9),
                                  "abcd\n$End")),
                 HasSubstr("unknown byte order"));
+    EXPECT_THAT(refusal("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$ParametricNodes\n$EndParametricNodes\n"),
+                HasSubstr("parametric nodes"));
     EXPECT_THAT(refusal(vtp_ascii(tetrahedron())), HasSubstr("expected VTKFile of type UnstructuredGrid"));
     EXPECT_THAT(refusal(replaced(medit_text(mesh), "Dimension\n3", "Dimension\n2")), HasSubstr("bad Dimension"));
 }

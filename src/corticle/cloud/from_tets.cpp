@@ -77,6 +77,7 @@ std::vector<Vec3> chosen_nodes(const TetMesh& mesh, const TriangleMesh& surface,
             ? thin_random_by_volume(points, volumes, count, options.seed)
             : thin_uniform_beside(surface.vertices, points, volumes, count, options.seed);
     std::vector<Vec3> chosen;
+    chosen.reserve(kept.size());
     for (const std::int32_t k : kept)
     {
         chosen.push_back(points[k]);

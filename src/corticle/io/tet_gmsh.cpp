@@ -308,6 +308,11 @@ void parse_gmsh(std::string_view bytes, TetBuilder& mesh)
             fail_reading(mesh.file(), "a version of the Gmsh format that is not read", "version 1",
                          "version 2, 4.0 or 4.1");
         }
+        if (section.name == "ParametricNodes")
+        {
+            fail_reading(mesh.file(), "parametric nodes of Gmsh version 2 are not read", "$ParametricNodes",
+                         "a file saved with Mesh.SaveParametric = 0");
+        }
         if (section.name == "MeshFormat")
         {
             header = parse_header(bytes, section.begin, section.end, mesh.file());
