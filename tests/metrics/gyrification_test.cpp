@@ -5,7 +5,10 @@
 #include "corticle/metrics/zilles.hpp"
 #include "metrics/turned_surfaces.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace corticle
 {
@@ -85,6 +88,7 @@ TEST(ZillesIndex, OfACylinderWithSineWalls)
     const TriangleMesh mesh = body.mesh(2400);
     const SliceGyrification slices = zilles_index(mesh.vertices, mesh.triangles, {.normal = {0, 0, 1}, .count = 23});
     const double exact = body.whole_contour() / body.outer_contour();
+    fmt::print("sine cylinder: index {:.6f}, exact {:.6f}\n", slices.index, exact);
     EXPECT_GT(exact, 1.15);
     EXPECT_NEAR(slices.index / exact, 1.0, 1e-4); // 200 chords a wave
     EXPECT_NEAR(slices.mean_of_slices / slices.index, 1.0, 1e-12);
@@ -117,10 +121,11 @@ std::vector<double> local_index(const TriangleMesh& mesh, double radius)
 TEST(LocalGyrification, OfASphereIsOne)
 {
     const TriangleMesh mesh = test::sphere(10);
-    for (const double index : local_index(mesh, 3.7))
-    {
-        EXPECT_NEAR(index, 1.0, 0.01);
-    }
+    const std::vector<double> index = local_index(mesh, 3.7);
+    const auto [low, high] = std::minmax_element(index.begin(), index.end());
+    fmt::print("sphere: local index {:.4f} to {:.4f}\n", *low, *high);
+    EXPECT_GT(*low, 0.99);
+    EXPECT_LT(*high, 1.01);
 }
 
 TEST(LocalGyrification, RisesOnlyWhereThereAreFolds)

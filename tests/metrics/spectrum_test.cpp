@@ -5,6 +5,7 @@
 #include "corticle/metrics/tridiagonal.hpp"
 #include "metrics/turned_surfaces.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -84,7 +85,9 @@ TEST(Spectrum, AnImposedHarmonicIsOneLineOfItsWavelength)
     for (const int l : {5, 9, 14})
     {
         const auto values = sphere.sample([l](const Vec3& n) { return 2.0 + sectoral(l, n); });
-        EXPECT_NEAR(sphere.dominant(values) / wavelength_of_degree(R, l), 1.0, 0.005);
+        const double found = sphere.dominant(values);
+        fmt::print("degree {}: wavelength {:.4f} mm, exact {:.4f} mm\n", l, found, wavelength_of_degree(R, l));
+        EXPECT_NEAR(found / wavelength_of_degree(R, l), 1.0, 0.005);
     }
 }
 
@@ -106,7 +109,8 @@ TEST(Spectrum, PowersAreTheMeanSquareAndTheStrongerOfTwoHarmonicsWins)
     EXPECT_NEAR(total, 1.0 / 17.0 + 4.0 / 27.0, 0.002);
     EXPECT_NEAR(near_8, 1.0 / 17.0, 0.001);
     EXPECT_NEAR(near_13, 4.0 / 27.0, 0.003);
-    EXPECT_NEAR(sphere.dominant(values) / wavelength_of_degree(R, 13), 1.0, 0.01);
+    // The weaker one, 0.47 away in the logarithm, pulls a little on the mean under the kernel of width 0.2.
+    EXPECT_NEAR(sphere.dominant(values) / wavelength_of_degree(R, 13), 1.0, 0.02);
 }
 
 TEST(Spectrum, OfWavesOnACylinder)

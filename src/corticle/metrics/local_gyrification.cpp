@@ -7,13 +7,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace corticle
 {
 
 namespace
 {
 
-constexpr double pieces_per_radius = 10.0;
+constexpr double pieces_per_radius = 6.0;
+constexpr double places_per_radius = 5.0; ///< where the index is taken; between them it is interpolated
 
 /// A surface as pieces with an area, each at a point.
 struct Pieces
@@ -83,6 +86,57 @@ class AreaInBall
     double radius_;
 };
 
+/// One point for each cube of the given edge that holds some: their mean.
+std::vector<Vec3> thinned(std::span<const Vec3> points, double edge)
+{
+    using Key = std::array<std::int64_t, 4>; // cube, then number of the point
+    std::vector<Key> keys;
+    keys.reserve(points.size());
+    for (const Vec3& p : points)
+    {
+        keys.push_back({static_cast<std::int64_t>(std::floor(p.x / edge)),
+                        static_cast<std::int64_t>(std::floor(p.y / edge)),
+                        static_cast<std::int64_t>(std::floor(p.z / edge)), std::ssize(keys)});
+    }
+    std::sort(keys.begin(), keys.end());
+    const auto same_cube = [](const Key& a, const Key& b) { return std::equal(a.begin(), a.begin() + 3, b.begin()); };
+    std::vector<Vec3> means;
+    for (auto first = keys.begin(); first != keys.end();)
+    {
+        const auto last = std::find_if(first, keys.end(), [&](const Key& key) { return !same_cube(key, *first); });
+        Vec3 sum;
+        std::for_each(first, last, [&](const Key& key) { sum += points[key[3]]; });
+        means.push_back(sum / static_cast<double>(last - first));
+        first = last;
+    }
+    return means;
+}
+
+/// Values at the means of cubes, interpolated to the points in them.
+std::vector<double> interpolated(std::span<const Vec3> places, std::span<const double> values,
+                                 std::span<const Vec3> points, double edge)
+{
+    const double support = 2.0 * edge; // beyond the diagonal of a cube
+    const CellGrid grid(places, support);
+    std::vector<double> result(points.size());
+    parallel_for(std::ssize(points),
+                 [&](std::int64_t v)
+                 {
+                     double sum = 0.0;
+                     double weights = 0.0;
+                     grid.near(points[v],
+                               [&](std::int32_t k, const Vec3& place)
+                               {
+                                   const double near =
+                                       std::max(0.0, 1.0 - squared_norm(place - points[v]) / (support * support));
+                                   sum += near * near * values[k];
+                                   weights += near * near;
+                               });
+                     result[v] = sum / weights;
+                 });
+    return result;
+}
+
 } // namespace
 
 std::vector<double> local_gyrification(std::span<const Vec3> vertices, std::span<const Triangle> triangles,
@@ -106,14 +160,12 @@ std::vector<double> local_gyrification(std::span<const Vec3> vertices, std::span
     }
     const AreaInBall surface_area_in(on_surface, radius);
     const AreaInBall outer_area_in(on_outer, radius);
-    std::vector<double> index(vertices.size());
-    parallel_for(std::ssize(vertices),
-                 [&](std::int64_t v)
-                 {
-                     const Vec3& centre = on_surface.place[v];
-                     index[v] = surface_area_in.about(centre) / outer_area_in.about(centre);
-                 });
-    return index;
+    const double apart = radius / places_per_radius;
+    const std::vector<Vec3> places = thinned(on_surface.place, apart);
+    std::vector<double> index(places.size());
+    parallel_for(std::ssize(places),
+                 [&](std::int64_t k) { index[k] = surface_area_in.about(places[k]) / outer_area_in.about(places[k]); });
+    return interpolated(places, index, on_surface.place, apart);
 }
 
 } // namespace corticle

@@ -15,7 +15,7 @@ namespace corticle
 namespace
 {
 
-constexpr double kernel_width = 0.08;  ///< of the density of power, in the logarithm of the wavelength
+constexpr double kernel_width = 0.2;   ///< of the density of power, in the logarithm of the wavelength
 constexpr double same_power = 1e-14;   ///< a remainder below this share of the function is round-off
 constexpr double edges_per_wave = 4.0; ///< of the shortest wave a mesh tells
 constexpr double lowest_fold_degree = 4.0;
