@@ -18,6 +18,7 @@ namespace
 {
 
 constexpr double adult_radius_mm = 67.0;
+constexpr double least_ball_share = 0.05;          ///< of the root of the hull's area: matters for thin sheets only
 constexpr double least_curvature_variation = 0.02; ///< of H over its mean square root: less is a smooth body
 
 constexpr std::array columns{
@@ -78,8 +79,10 @@ FoldFields fold_fields(std::span<const Vec3> vertices, std::span<const Triangle>
 {
     const TriangleMesh hull = convex_hull(vertices);
     const SurfaceTree outer(hull.vertices, hull.triangles);
+    const double least_ball = least_ball_share * std::sqrt(surface_area(hull.vertices, hull.triangles));
+    const double ball = std::max(least_ball, options.adult_ball_mm * scale_of(vertices, triangles));
     return {vertex_curvature(vertices, triangles), sulcal_depth(vertices, triangles, outer),
-            local_gyrification(vertices, triangles, outer, options.adult_ball_mm * scale_of(vertices, triangles))};
+            local_gyrification(vertices, triangles, outer, ball)};
 }
 
 FoldMeasures measure_folds(std::span<const Vec3> vertices, std::span<const Triangle> triangles,
