@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "corticle/simulation/comparison.hpp"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -71,6 +73,13 @@ struct MeasureArguments
     bool json = false;
 };
 int measure_command(const MeasureArguments& arguments);
+
+struct CompareArguments
+{
+    ComparisonRequest request;
+    bool json = false;
+};
+int compare_command(const CompareArguments& arguments);
 
 struct RenderArguments
 {

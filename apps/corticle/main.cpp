@@ -130,6 +130,29 @@ void add_measure(CLI::App& app, Verb& chosen)
     verb->callback([arguments, &chosen] { chosen = [arguments] { return measure_command(*arguments); }; });
 }
 
+void add_compare(CLI::App& app, Verb& chosen)
+{
+    auto arguments = std::make_shared<CompareArguments>();
+    ComparisonRequest& request = arguments->request;
+    CLI::App* verb = app.add_subcommand("compare", "Compare a run with another run, or with real surfaces");
+    verb->add_option("run", request.run, "Run folder")->type_name("RUN")->required();
+    verb->add_option("others", request.others, "Another run folder, or real surfaces, each with its week (or FILE@t=T)")
+        ->type_name("RUN|FILE@WEEK")
+        ->required();
+    verb->add_option("--out", request.out, "Folder of the report (default: compare_<A>_<B>)")->type_name("DIR");
+    verb->add_option("--time", request.picture_times,
+                     "Growth time of the pictures of two runs; may be repeated (default: half and end)")
+        ->type_name("T")
+        ->type_size(1)
+        ->allow_extra_args(false);
+    verb->add_option("--unit", request.unit, "Unit of length of the real surfaces: mm, cm or m")
+        ->capture_default_str()
+        ->type_name("UNIT")
+        ->check(CLI::IsMember({"mm", "cm", "m"}));
+    verb->add_flag("--json", arguments->json, "Print the comparison as JSON");
+    verb->callback([arguments, &chosen] { chosen = [arguments] { return compare_command(*arguments); }; });
+}
+
 void add_render(CLI::App& app, Verb& chosen)
 {
     auto arguments = std::make_shared<RenderArguments>();
@@ -165,7 +188,8 @@ int dispatch(int argc, char** argv)
     app.require_subcommand(1);
     app.footer("Exit status: 0 done, 2 bad usage or input, 3 the run failed, 130 interrupted.");
     Verb chosen;
-    for (auto add : {add_run, add_prepare, add_new, add_check, add_schema, add_measure, add_render, add_export})
+    for (auto add :
+         {add_run, add_prepare, add_new, add_check, add_schema, add_measure, add_compare, add_render, add_export})
     {
         add(app, chosen);
     }
@@ -183,7 +207,7 @@ int dispatch(int argc, char** argv)
         if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(named).empty())
         {
             return complain("unknown verb \"" + std::string(argv[1]) +
-                                "\", expected run, prepare, new, check, schema, measure, render or export",
+                                "\", expected run, prepare, new, check, schema, measure, compare, render or export",
                             exit_status::bad_input);
         }
         return complain(std::string(error.what()) + " (`corticle --help` shows the usage)", exit_status::bad_input);

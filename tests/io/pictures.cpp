@@ -133,6 +133,94 @@ TEST_F(Pictures, CutBesideTheBodyIsEmptyButDrawn)
     EXPECT_GT(read_picture(folder / "a.png").colors.size(), 10u);
 }
 
+TEST_F(Pictures, PairOfSurfacesHasOneScaleOfLength)
+{
+    std::vector<Vec3> small = mesh.vertices;
+    for (Vec3& v : small)
+    {
+        v *= 0.25;
+    }
+    const std::vector<double> values{0, 1, 2, 1};
+    const std::array<SurfaceInput, 2> surfaces{SurfaceInput{"one", mesh.vertices, mesh.triangles, values},
+                                               SurfaceInput{"quarter", small, mesh.triangles, values}};
+    render_surface_pair(folder / "a.png", surfaces, {"value [-]", 0, 2, "viridis"}, "title");
+    render_surface_pair(folder / "b.png", surfaces, {"value [-]", 0, 2, "viridis"}, "title");
+    EXPECT_EQ(bytes_of(folder / "a.png"), bytes_of(folder / "b.png"));
+    const Picture picture = read_picture(folder / "a.png");
+    EXPECT_EQ(picture.width, 1600);
+    EXPECT_EQ(picture.height, 1550);
+    const auto covered = [&](int left, int bottom)
+    {
+        double count = 0;
+        for (int y = bottom; y < bottom + 690; ++y)
+        {
+            for (int x = left; x < left + 690; ++x)
+            {
+                count += picture.at(x, y) == Pixel{255, 255, 255} ? 0 : 1;
+            }
+        }
+        return count;
+    };
+    for (const int bottom : {45, 795}) // from the right, from above
+    {
+        // A quarter of the length covers a sixteenth; edges of the small one count for some per cent.
+        EXPECT_NEAR(16.0 * covered(735, bottom) / covered(15, bottom), 1.0, 0.1);
+    }
+}
+
+TEST_F(Pictures, PairOfCutsHasOneColorScale)
+{
+    const std::vector<Vec3> particles{{0.2, 0.3, -0.5}, {0.9, 0.3, -0.5}};
+    const std::vector<Mat3> undeformed(2, Mat3::identity());
+    const std::array theta{1.0, 0.0};
+    const std::array low{0.0, 0.0};
+    const std::array high{1.0, 1.0};
+    CutInput input{.positions = particles,
+                   .origins = particles,
+                   .F = undeformed,
+                   .theta = theta,
+                   .scalar = low,
+                   .spacing = 0.5,
+                   .surface_points = mesh.vertices,
+                   .triangles = mesh.triangles,
+                   .axis = 2,
+                   .coordinate = -0.5};
+    CutInput other = input;
+    other.scalar = high;
+    render_cut_pair(folder / "a.png", {input, other}, {"left", "right"}, {"J", 0, 1, "viridis"}, "cuts");
+    const Picture picture = read_picture(folder / "a.png");
+    const auto count = [&](const Pixel& color, int left)
+    {
+        int found = 0;
+        for (int y = 60; y < 720; ++y)
+        {
+            for (int x = left; x < left + 660; ++x)
+            {
+                found += picture.at(x, y) == color ? 1 : 0;
+            }
+        }
+        return found;
+    };
+    const Pixel lowest{68, 1, 84};
+    const Pixel highest{253, 231, 37};
+    EXPECT_GT(count(lowest, 5), 10000);
+    EXPECT_EQ(count(highest, 5), 0);
+    EXPECT_GT(count(highest, 800), 10000);
+    EXPECT_EQ(count(lowest, 800), 0);
+}
+
+TEST_F(Pictures, PlotMarksPoints)
+{
+    const std::array panels{Panel{"t", "y", {{"line", {0, 1}, {0, 1}}, {"points", {0.2, 0.6}, {0.8, 0.4}, true}}},
+                            Panel{"t", "one point", {{"point", {1}, {2}, true}}}};
+    render_plot(folder / "a.png", panels, "points");
+    render_plot(folder / "b.png", std::array{Panel{"t", "y", {panels[0].curves[0], {"points", {}, {}, true}}}},
+                "no points");
+    const Pixel second{213, 94, 0};
+    EXPECT_TRUE(read_picture(folder / "a.png").colors.contains(second));
+    EXPECT_FALSE(read_picture(folder / "b.png").colors.contains(second));
+}
+
 TEST_F(Pictures, PlotDrawsCurvesAndSurvivesOddOnes)
 {
     const double nan = std::nan("");

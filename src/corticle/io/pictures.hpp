@@ -34,6 +34,20 @@ void render_surface(const std::filesystem::path& png, std::span<const Vec3> poin
                     std::span<const double> scalar, const ColorScale& scale, const std::string& title,
                     double half_width = 0.0);
 
+/// A surface and what to write below it.
+struct SurfaceInput
+{
+    std::string caption;
+    std::span<const Vec3> points; ///< [mm]
+    std::span<const Triangle> triangles;
+    std::span<const double> scalar; ///< of each vertex
+};
+
+/// Two surfaces side by side, each from two sides, with one colour scale and one scale of length (that of the larger).
+/// PNG 1600x1550.
+void render_surface_pair(const std::filesystem::path& png, const std::array<SurfaceInput, 2>& surfaces,
+                         const ColorScale& scale, const std::string& title);
+
 /// Particles, surface and plane of a cross-section, in the current configuration.
 struct CutInput
 {
@@ -55,11 +69,17 @@ struct CutInput
 void render_cut(const std::filesystem::path& png, const CutInput& input, const ColorScale& scale,
                 const std::string& title, double half_width = 0.0);
 
+/// Cross-sections of two bodies side by side, as above, each coloured by its scalar, with one colour scale and one
+/// scale of length (that of the larger); `captions` go above them. PNG 1600x800.
+void render_cut_pair(const std::filesystem::path& png, const std::array<CutInput, 2>& inputs,
+                     const std::array<std::string, 2>& captions, const ColorScale& scale, const std::string& title);
+
 struct Curve
 {
     std::string label;
     std::vector<double> x;
     std::vector<double> y;
+    bool is_points = false; ///< marks the points and draws no line
 };
 struct Panel
 {

@@ -28,27 +28,45 @@ constexpr int picture_height = 800;
 constexpr int panel_width = 660; // [px], as are the places below
 constexpr int panel_height = 660;
 constexpr int panel_bottom = 60;
-constexpr int theta_left = 5;
-constexpr int scalar_left = 800;
+constexpr int left_panel = 5;
+constexpr int right_panel = 800;
 constexpr int bar_gap = 10;
 
-/// The same scale on the page for both panels: centred on the surface.
-PixelGrid pixel_grid(std::span<const Vec3> points, const Plane& plane, double half_width)
+struct Box
 {
-    Vec3 low = points.front();
-    Vec3 high = points.front();
+    Vec3 low;
+    Vec3 high;
+};
+
+Box bounding_box(std::span<const Vec3> points)
+{
+    Box box{points.front(), points.front()};
     for (const Vec3& point : points)
     {
         for (int axis = 0; axis < 3; ++axis)
         {
-            low[axis] = std::min(low[axis], point[axis]);
-            high[axis] = std::max(high[axis], point[axis]);
+            box.low[axis] = std::min(box.low[axis], point[axis]);
+            box.high[axis] = std::max(box.high[axis], point[axis]);
         }
     }
-    const Vec3 size = high - low;
-    const Vec3 center = 0.5 * (low + high);
-    const double fitting = 0.51 * std::max(size[plane.right()], size[plane.up()]);
-    const double shown = std::max(half_width > 0.0 ? half_width : fitting, std::numeric_limits<double>::min());
+    return box;
+}
+
+/// Half of the width of a panel that the section fits [mm].
+double fitting_half_width(const CutInput& input)
+{
+    const Box box = bounding_box(input.surface_points);
+    const Vec3 size = box.high - box.low;
+    const Plane plane{input.axis, input.coordinate};
+    return 0.51 * std::max(size[plane.right()], size[plane.up()]);
+}
+
+/// The pixels of a panel, centred on the surface.
+PixelGrid pixel_grid(std::span<const Vec3> points, const Plane& plane, double half_width)
+{
+    const Box box = bounding_box(points);
+    const Vec3 center = 0.5 * (box.low + box.high);
+    const double shown = std::max(half_width, std::numeric_limits<double>::min());
     const double pixel = 2.0 * shown / panel_width;
     return {panel_width, panel_height, center[plane.right()] - shown, center[plane.up()] - 0.5 * pixel * panel_height,
             pixel};
@@ -124,38 +142,85 @@ std::string caption_of(const Plane& plane)
                        name(plane.right()), name(plane.up()));
 }
 
+/// What a section shows: the particle of each pixel, and the outline.
+struct Section
+{
+    PixelGrid grid;
+    std::vector<Segment> outline;
+    std::vector<std::int32_t> shown;
+};
+
+Section section_of(const CutInput& input, double half_width)
+{
+    assert(input.origins.size() == input.positions.size() && input.F.size() == input.positions.size());
+    assert(input.theta.size() == input.positions.size() && input.scalar.size() == input.positions.size());
+    assert(!input.surface_points.empty() && input.axis >= 0 && input.axis < 3);
+    const Plane plane{input.axis, input.coordinate};
+    Section section{pixel_grid(input.surface_points, plane, half_width),
+                    section_outline(input.surface_points, input.triangles, plane),
+                    {}};
+    section.shown = material_particles(input, section.grid, inside_mask(section.outline, section.grid));
+    return section;
+}
+
+void add_panel(vtkRenderer* page, const Section& section, std::span<const double> values, const ColorScale& colors,
+               int left)
+{
+    const vtkNew<vtkImageData> image = colored_image(section.grid, section.shown, values, colors);
+    draw_outline(image, section.outline, section.grid);
+    add_image(page, image, left, panel_bottom);
+    add_color_bar(page, colors, left + panel_width + bar_gap, panel_bottom + 100, panel_height - 200);
+}
+
+/// A page with a title; what `fill` adds; written as a PNG.
+template <class Fill>
+void save_page(const std::filesystem::path& png, const std::string& title, Fill&& fill)
+{
+    vtkNew<vtkRenderWindow> window;
+    set_up_window(window, picture_width, picture_height);
+    vtkNew<vtkRenderer> page;
+    page->SetBackground(1, 1, 1);
+    window->AddRenderer(page);
+    fill(page);
+    add_text(page, title, 0.5 * picture_width, picture_height - 30, {.size = 26, .is_bold = true});
+    save_picture(window, png);
+}
+
 } // namespace
 
 void render_cut(const std::filesystem::path& png, const CutInput& input, const ColorScale& scale,
                 const std::string& title, double half_width)
 {
-    assert(input.origins.size() == input.positions.size() && input.F.size() == input.positions.size());
-    assert(input.theta.size() == input.positions.size() && input.scalar.size() == input.positions.size());
-    assert(!input.surface_points.empty() && input.axis >= 0 && input.axis < 3);
     require_display(png);
     const QuietVtk quiet;
-    const Plane plane{input.axis, input.coordinate};
-    const PixelGrid grid = pixel_grid(input.surface_points, plane, half_width);
-    const std::vector<Segment> outline = section_outline(input.surface_points, input.triangles, plane);
-    const std::vector<std::int32_t> shown = material_particles(input, grid, inside_mask(outline, grid));
+    const Section section = section_of(input, half_width > 0.0 ? half_width : fitting_half_width(input));
+    save_page(png, title,
+              [&](vtkRenderer* page)
+              {
+                  add_panel(page, section, input.theta, {"cortex fraction [-]", 0.0, 1.0, "tissue"}, left_panel);
+                  add_panel(page, section, input.scalar, scale, right_panel);
+                  add_text(page, caption_of({input.axis, input.coordinate}), 0.5 * picture_width, 25, {.size = 20});
+              });
+}
 
-    vtkNew<vtkRenderWindow> window;
-    set_up_window(window, picture_width, picture_height);
-    vtkNew<vtkRenderer> renderer;
-    renderer->SetBackground(1, 1, 1);
-    window->AddRenderer(renderer);
-    const auto add_panel = [&](std::span<const double> values, const ColorScale& colors, int left)
-    {
-        const vtkNew<vtkImageData> image = colored_image(grid, shown, values, colors);
-        draw_outline(image, outline, grid);
-        add_image(renderer, image, left, panel_bottom);
-        add_color_bar(renderer, colors, left + panel_width + bar_gap, panel_bottom + 100, panel_height - 200);
-    };
-    add_panel(input.theta, {"cortex fraction [-]", 0.0, 1.0, "tissue"}, theta_left);
-    add_panel(input.scalar, scale, scalar_left);
-    add_text(renderer, title, 0.5 * picture_width, picture_height - 30, {.size = 26, .is_bold = true});
-    add_text(renderer, caption_of(plane), 0.5 * picture_width, 25, {.size = 20});
-    save_picture(window, png);
+void render_cut_pair(const std::filesystem::path& png, const std::array<CutInput, 2>& inputs,
+                     const std::array<std::string, 2>& captions, const ColorScale& scale, const std::string& title)
+{
+    require_display(png);
+    const QuietVtk quiet;
+    const double half_width = std::max(fitting_half_width(inputs[0]), fitting_half_width(inputs[1]));
+    save_page(png, title,
+              [&](vtkRenderer* page)
+              {
+                  for (std::size_t i = 0; i < inputs.size(); ++i)
+                  {
+                      const int left = i == 0 ? left_panel : right_panel;
+                      const double middle = left + 0.5 * panel_width;
+                      add_panel(page, section_of(inputs[i], half_width), inputs[i].scalar, scale, left);
+                      add_text(page, captions[i], middle, panel_bottom + panel_height + 15, {.size = 20});
+                      add_text(page, caption_of({inputs[i].axis, inputs[i].coordinate}), middle, 25, {.size = 18});
+                  }
+              });
 }
 
 } // namespace corticle

@@ -129,23 +129,28 @@ void fill_chart(vtkChartXY* chart, const Panel& panel)
     for (std::size_t c = 0; c < panel.curves.size(); ++c)
     {
         const vtkNew<vtkTable> table = table_of(panel.curves[c], x_range, y_range);
-        if (table->GetNumberOfRows() < 2)
+        const bool is_points = panel.curves[c].is_points;
+        if (table->GetNumberOfRows() < (is_points ? 1 : 2))
         {
             continue; // VTK draws no line through less, and complains
         }
-        vtkPlot* line = chart->AddPlot(vtkChart::LINE);
+        vtkPlot* line = chart->AddPlot(is_points ? vtkChart::POINTS : vtkChart::LINE);
         line->SetInputData(table, 0, 1);
         const auto& color = line_colors[c % line_colors.size()];
         line->SetColor(color[0], color[1], color[2], 255);
-        line->SetWidth(2.5f);
+        line->SetWidth(is_points ? 6.0f : 2.5f);
         line->SetLabel(panel.curves[c].label);
     }
-    style_axis(chart->GetAxis(vtkAxis::BOTTOM), panel.x_label, x_range.widened(0.0));
+    // Points on the edge of a panel would be cut in half.
+    const bool has_points =
+        std::any_of(panel.curves.begin(), panel.curves.end(), [](const Curve& curve) { return curve.is_points; });
+    const Range shown_x = x_range.widened(has_points ? 0.04 : 0.0);
+    style_axis(chart->GetAxis(vtkAxis::BOTTOM), panel.x_label, shown_x);
     // The label of the upright axis stands above the panel, where it can be read and does not meet the ticks.
     style_axis(chart->GetAxis(vtkAxis::LEFT), "", y_range.widened(0.05));
     chart->SetTitle(panel.y_label);
     chart->GetTitleProperties()->SetFontSize(21);
-    const std::array<int, 2> corner = free_corner(panel, x_range.widened(0.0), y_range.widened(0.05));
+    const std::array<int, 2> corner = free_corner(panel, shown_x, y_range.widened(0.05));
     chart->SetShowLegend(panel.curves.size() > 1);
     chart->GetLegend()->SetLabelSize(17);
     chart->GetLegend()->SetInline(true);
@@ -181,7 +186,7 @@ void render_plot(const std::filesystem::path& png, std::span<const Panel> panels
         chart->SetAutoSize(false);
         const int left = (i % columns) * panel_width;
         const int bottom = (rows - 1 - i / columns) * panel_height;
-        chart->SetSize(vtkRectf(static_cast<float>(left + 10), static_cast<float>(bottom + 10), panel_width - 35,
+        chart->SetSize(vtkRectf(static_cast<float>(left + 25), static_cast<float>(bottom + 10), panel_width - 50,
                                 panel_height - 30));
         scene->AddItem(chart);
     }

@@ -35,23 +35,25 @@ namespace
 {
 
 constexpr int picture_width = 1600; // [px], as are the places below
-constexpr int picture_height = 800;
+constexpr int row_height = 750;
 constexpr int panel_size = 700;
 constexpr int panel_bottom = 40;
+constexpr int title_height = 50;
 constexpr int bar_left = 1450;
 constexpr int samples = 2; // each pixel is the mean of 2 x 2
 
-/// A panel: where it lies in the picture [px] and from where it looks. Frame: x right, y anterior, z superior.
+constexpr std::array<int, 2> panel_left{10, 730};
+
+/// From where a panel looks. Frame: x right, y anterior, z superior.
 struct View
 {
-    int left;
     Vec3 from;
     Vec3 up;
     const char* caption;
 };
 
 constexpr std::array<View, 2> views{
-    {{10, {0, 0, 1}, {0, 1, 0}, "from above (+z)"}, {730, {1, 0, 0}, {0, 0, 1}, "from the right (+x)"}}};
+    {{{0, 0, 1}, {0, 1, 0}, "from above (+z)"}, {{1, 0, 0}, {0, 0, 1}, "from the right (+x)"}}};
 
 struct Box
 {
@@ -188,33 +190,88 @@ std::vector<vtkSmartPointer<vtkImageData>> draw_views(vtkActor* body, const Vec3
     return pictures;
 }
 
+/// Half of the width of a panel that the surface fits [mm].
+double fitting_half_width(std::span<const Vec3> points)
+{
+    return std::max(1.04 * bounding_box(points).half_width(), std::numeric_limits<double>::min());
+}
+
+std::vector<vtkSmartPointer<vtkImageData>> draw_surface(std::span<const Vec3> points,
+                                                        std::span<const Triangle> triangles,
+                                                        std::span<const double> scalar, const ColorScale& scale,
+                                                        double half_width)
+{
+    assert(!points.empty() && (scalar.empty() || scalar.size() == points.size()));
+    return draw_views(body_of(polydata_of(points, triangles, scalar), scale), bounding_box(points).center(),
+                      half_width);
+}
+
+struct PagePanel
+{
+    vtkSmartPointer<vtkImageData> image;
+    std::size_t row; ///< from below
+    std::size_t column;
+    std::string caption;
+};
+
+/// Panels in two columns, a colour bar on their right, a title above.
+void save_page(const std::filesystem::path& png, std::span<const PagePanel> panels, int rows, const ColorScale& scale,
+               const std::string& title)
+{
+    const int height = rows * row_height + title_height;
+    vtkNew<vtkRenderWindow> window;
+    set_up_window(window, picture_width, height);
+    vtkNew<vtkRenderer> page;
+    page->SetBackground(1, 1, 1);
+    window->AddRenderer(page);
+    for (const PagePanel& panel : panels)
+    {
+        const int left = panel_left[panel.column];
+        const int below = static_cast<int>(panel.row) * row_height;
+        add_image(page, panel.image, left, below + panel_bottom);
+        add_text(page, panel.caption, left + 0.5 * panel_size, below + 20, {.size = 20});
+    }
+    add_text(page, title, 0.5 * picture_width, height - 30, {.size = 26, .is_bold = true});
+    const double bar_bottom = 0.5 * (rows - 1) * row_height + panel_bottom + 100;
+    add_color_bar(page, scale, bar_left, bar_bottom, panel_size - 200);
+    save_picture(window, png);
+}
+
 } // namespace
 
 void render_surface(const std::filesystem::path& png, std::span<const Vec3> points, std::span<const Triangle> triangles,
                     std::span<const double> scalar, const ColorScale& scale, const std::string& title,
                     double half_width)
 {
-    assert(!points.empty() && (scalar.empty() || scalar.size() == points.size()));
     require_display(png);
     const QuietVtk quiet;
-    const Box box = bounding_box(points);
-    const double fitting = std::max(1.04 * box.half_width(), std::numeric_limits<double>::min());
-    const auto pictures = draw_views(body_of(polydata_of(points, triangles, scalar), scale), box.center(),
-                                     half_width > 0.0 ? half_width : fitting);
-
-    vtkNew<vtkRenderWindow> window;
-    set_up_window(window, picture_width, picture_height);
-    vtkNew<vtkRenderer> page;
-    page->SetBackground(1, 1, 1);
-    window->AddRenderer(page);
+    const auto pictures =
+        draw_surface(points, triangles, scalar, scale, half_width > 0.0 ? half_width : fitting_half_width(points));
+    std::vector<PagePanel> panels;
     for (std::size_t i = 0; i < views.size(); ++i)
     {
-        add_image(page, pictures[i], views[i].left, panel_bottom);
-        add_text(page, views[i].caption, views[i].left + 0.5 * panel_size, 20, {.size = 20});
+        panels.push_back({pictures[i], 0, i, views[i].caption});
     }
-    add_text(page, title, 0.5 * picture_width, picture_height - 30, {.size = 26, .is_bold = true});
-    add_color_bar(page, scale, bar_left, panel_bottom + 100, panel_size - 200);
-    save_picture(window, png);
+    save_page(png, panels, 1, scale, title);
+}
+
+void render_surface_pair(const std::filesystem::path& png, const std::array<SurfaceInput, 2>& surfaces,
+                         const ColorScale& scale, const std::string& title)
+{
+    require_display(png);
+    const QuietVtk quiet;
+    const double half_width = std::max(fitting_half_width(surfaces[0].points), fitting_half_width(surfaces[1].points));
+    std::vector<PagePanel> panels;
+    for (std::size_t column = 0; column < surfaces.size(); ++column)
+    {
+        const SurfaceInput& surface = surfaces[column];
+        const auto pictures = draw_surface(surface.points, surface.triangles, surface.scalar, scale, half_width);
+        for (std::size_t i = 0; i < views.size(); ++i)
+        {
+            panels.push_back({pictures[i], views.size() - 1 - i, column, surface.caption + ", " + views[i].caption});
+        }
+    }
+    save_page(png, panels, static_cast<int>(views.size()), scale, title);
 }
 
 } // namespace corticle

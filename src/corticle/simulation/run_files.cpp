@@ -71,21 +71,26 @@ std::size_t nearest(std::span<const double> times, double t)
 
 } // namespace
 
-void require_usable_folder(const RunRequest& request)
+void require_writable_folder(const fs::path& out)
 {
-    const fs::path out = fs::absolute(request.out).lexically_normal();
     std::error_code error;
-    fs::path existing = out;
+    fs::path existing = fs::absolute(out).lexically_normal();
     while (!fs::exists(existing, error) && existing.has_relative_path())
     {
         existing = existing.parent_path();
     }
     if (!fs::is_directory(existing, error) || access(existing.c_str(), W_OK | X_OK) != 0)
     {
-        throw InputError(fmt::format("--out {}: {} is not a folder that can be written; expected one",
-                                     request.out.string(), existing.string()));
+        throw InputError(fmt::format("--out {}: {} is not a folder that can be written; expected one", out.string(),
+                                     existing.string()));
     }
-    if (fs::exists(out / "case.toml", error) && !request.resume && !request.overwrite)
+}
+
+void require_usable_folder(const RunRequest& request)
+{
+    require_writable_folder(request.out);
+    std::error_code error;
+    if (fs::exists(request.out / "case.toml", error) && !request.resume && !request.overwrite)
     {
         throw InputError(fmt::format("--out {}: holds a run already; expected another folder, --resume to go on with "
                                      "it or --overwrite to replace it",

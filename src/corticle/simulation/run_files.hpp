@@ -10,6 +10,9 @@
 namespace corticle
 {
 
+/// Refuses an output folder that cannot be written or made. Writes nothing.
+void require_writable_folder(const std::filesystem::path& out);
+
 /// Refuses a run folder that cannot be written or that holds a run which was not asked to be resumed or overwritten.
 /// Writes nothing.
 void require_usable_folder(const RunRequest& request);

@@ -3,6 +3,7 @@
 
 #include "corticle/base/mat3.hpp"
 #include "corticle/geometry/triangle_mesh.hpp"
+#include "corticle/io/pictures.hpp"
 #include "corticle/simulation/measures.hpp"
 
 #include <filesystem>
@@ -29,6 +30,12 @@ struct Frame
 
 /// Edge of a cube of the mean volume [mm]; not a number where there are no volumes [mm³].
 double mean_spacing(std::span<const double> volumes);
+
+/// A colour range that shows the bulk of the values (at least one): the 2nd to 98th percentile, widened to tenths.
+ColorScale robust_scale(std::string label, std::span<const double> values, std::string map);
+
+/// The cut through the middle of a frame, across y, that shows `scalar` of its particles. Refers to both.
+CutInput middle_cut(const Frame& frame, std::span<const double> scalar);
 
 /// Pictures of one frame: surface by J and by growth, cut through the middle across y (coronal where x points to the
 /// right and y to the front). `folder` is the run folder.

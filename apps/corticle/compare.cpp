@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+namespace corticle
+{
+
+int compare_command(const CompareArguments& arguments)
+{
+    const ComparisonOutcome outcome = compare(arguments.request);
+    if (outcome.pictures.files.empty())
+    {
+        std::fprintf(stderr, "corticle: warning: no pictures: %s\n", outcome.pictures.reason.c_str());
+    }
+    if (arguments.json)
+    {
+        fmt::print("{}", outcome.json);
+    }
+    else
+    {
+        fmt::print("{}wrote {}\n", outcome.summary, (outcome.folder / "report.md").string());
+    }
+    return exit_status::done;
+}
+
+} // namespace corticle

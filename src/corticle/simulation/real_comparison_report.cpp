@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/simulation/real_comparison.hpp"
+
+#include "corticle/io/markdown.hpp"
+#include "corticle/metrics/comparison.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace corticle
+{
+
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+std::string real_section(const RealComparison& comparison, const RealSurface& real)
+{
+    std::string text = fmt::format("## {}\n\n", markdown_cell(real.name));
+    if (std::isnan(comparison.run_value(0, real)))
+    {
+        text += fmt::format("The run does not reach this surface's {}.\n\n", comparison.axis);
+    }
+    std::vector<std::vector<std::string>> rows;
+    for (std::size_t k = 0; k < real.rows.size(); ++k)
+    {
+        const double run = comparison.run_value(k, real);
+        rows.push_back({fmt::format("`{}`", real.rows[k].key), real.rows[k].unit, table_number(real.rows[k].value),
+                        table_number(run), table_percent(percent_difference(real.rows[k].value, run))});
+    }
+    return text + markdown_table({"measure", "unit", "real", "run", "run less real"}, rows);
+}
+
+Json real_json(const RealComparison& comparison, const RealSurface& real)
+{
+    Json json;
+    json["name"] = real.name;
+    json[comparison.axis] = real.place;
+    json["measures"] = Json::object();
+    for (std::size_t k = 0; k < real.rows.size(); ++k)
+    {
+        const double run = comparison.run_value(k, real);
+        json["measures"][real.rows[k].key] = {{"unit", real.rows[k].unit},
+                                              {"real", real.rows[k].value},
+                                              {"run", run},
+                                              {"difference_percent", percent_difference(real.rows[k].value, run)}};
+    }
+    return json;
+}
+
+std::vector<Panel> panels_of(const RealComparison& comparison)
+{
+    std::vector<Panel> panels;
+    for (std::size_t k = 0; k < comparison.reals.front().rows.size(); ++k)
+    {
+        const SurfaceRow& row = comparison.reals.front().rows[k];
+        Curve run{"run", comparison.places, {}};
+        for (const std::vector<SurfaceRow>& rows : comparison.run_rows)
+        {
+            run.y.push_back(rows[k].value);
+        }
+        Curve reals{"real", {}, {}, true};
+        for (const RealSurface& real : comparison.reals)
+        {
+            reals.x.push_back(real.place);
+            reals.y.push_back(real.rows[k].value);
+        }
+        panels.push_back(
+            {comparison.axis, fmt::format("{} [{}]", row.key, row.unit), {std::move(run), std::move(reals)}});
+    }
+    return panels;
+}
+
+} // namespace
+
+Pictures draw_comparison(const std::filesystem::path& folder, const RealComparison& comparison)
+{
+    Pictures pictures;
+    if (can_render(pictures.reason))
+    {
+        render_plot(folder / "measures.png", panels_of(comparison), comparison.run_name + " beside real surfaces");
+        pictures.files.emplace_back("measures.png");
+    }
+    return pictures;
+}
+
+std::string comparison_json(const RealComparison& comparison, const Pictures& pictures)
+{
+    Json json;
+    json["kind"] = "real";
+    json["run"] = {{"name", comparison.run_name}, {"folder", comparison.run_folder.string()}};
+    json["axis"] = comparison.axis;
+    json[comparison.axis] = comparison.places;
+    json["run_measures"] = Json::object();
+    for (const std::vector<SurfaceRow>& rows : comparison.run_rows)
+    {
+        for (const SurfaceRow& row : rows)
+        {
+            json["run_measures"][row.key].push_back(row.value);
+        }
+    }
+    json["reals"] = Json::array();
+    for (const RealSurface& real : comparison.reals)
+    {
+        json["reals"].push_back(real_json(comparison, real));
+    }
+    json["pictures"] = pictures.files;
+    json["version"] = CORTICLE_VERSION;
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string comparison_report(const RealComparison& comparison, const Pictures& pictures)
+{
+    std::string text = fmt::format(
+        "# {} beside real surfaces\n\nRun folder: {}. Its surfaces, {} output times from {} = {} to {}, and the real "
+        "ones "
+        "are measured by the same functions. Between its output times the run is interpolated linearly. Differences "
+        "are those of the run from the real surface, over the real one.\n\n",
+        markdown_cell(comparison.run_name), markdown_cell(comparison.run_folder.string()), comparison.places.size(),
+        comparison.axis, table_number(comparison.places.front()), table_number(comparison.places.back()));
+    for (const RealSurface& real : comparison.reals)
+    {
+        text += real_section(comparison, real);
+    }
+    return text + (pictures.files.empty() ? fmt::format("No plot was drawn: {}\n", pictures.reason)
+                                          : fmt::format("![Measures against {}](measures.png)\n", comparison.axis));
+}
+
+std::string comparison_summary(const RealComparison& comparison)
+{
+    std::string text;
+    for (const RealSurface& real : comparison.reals)
+    {
+        text +=
+            fmt::format("{} ({} {}): real, run, run less real\n", real.name, comparison.axis, table_number(real.place));
+        for (std::size_t k = 0; k < real.rows.size(); ++k)
+        {
+            const double run = comparison.run_value(k, real);
+            text += fmt::format("  {:<20}{:>12}{:>12}   {}\n", real.rows[k].key, table_number(real.rows[k].value),
+                                table_number(run), table_percent(percent_difference(real.rows[k].value, run)));
+        }
+    }
+    return text;
+}
+
+} // namespace corticle
