@@ -135,6 +135,12 @@ struct Differences
     double mean() const { return count > 0.0 ? sum / count : nan; }
 };
 
+/// Mean of two numbers; where one is not a number, the other.
+double mean_of(double a, double b)
+{
+    return std::isnan(a) ? b : (std::isnan(b) ? a : 0.5 * (a + b));
+}
+
 /// Of difference(i) for each i of [0, count).
 template <class Difference>
 Differences differences(std::size_t count, Difference&& difference)
@@ -228,15 +234,13 @@ FieldDifference mean_difference(const PointField& a, const PointField& b)
     }
     const Interpolator of_a(a);
     const Interpolator of_b(b);
-    Differences all = differences_at_points(a, of_b);
-    all.join(differences_at_points(b, of_a));
-    Differences own = leave_one_out(a, of_a);
-    own.join(leave_one_out(b, of_b));
+    const Differences at_a = differences_at_points(a, of_b);
+    const Differences at_b = differences_at_points(b, of_a);
     result.is_interpolated = true;
-    result.mean = all.mean();
-    result.largest = all.count > 0.0 ? all.largest : nan;
-    result.compared_share = all.count / static_cast<double>(a.values.size() + b.values.size());
-    result.interpolation_error = own.mean();
+    result.mean = mean_of(at_a.mean(), at_b.mean());
+    result.largest = at_a.count + at_b.count > 0.0 ? std::max(at_a.largest, at_b.largest) : nan;
+    result.compared_share = (at_a.count + at_b.count) / static_cast<double>(a.values.size() + b.values.size());
+    result.interpolation_error = mean_of(leave_one_out(a, of_a).mean(), leave_one_out(b, of_b).mean());
     return result;
 }
 

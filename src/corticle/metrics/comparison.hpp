@@ -24,23 +24,23 @@ struct PointField
 struct FieldDifference
 {
     bool is_interpolated = false; ///< false: both have the same points, in the same order
-    double mean = 0.0;            ///< mean |a - b| over the compared points (thesis eq. 27)
+    double mean = 0.0;            ///< mean |a - b| (thesis eq. 27)
     double largest = 0.0;         ///< largest |a - b|
     double compared_share = 1.0;  ///< share of the points of both that have a counterpart in the other field
-    /// Mean error of the interpolation itself, each point's value interpolated from the others; 0 where none was
-    /// needed.
+    /// Mean error of the interpolation itself: each point's value interpolated from the other points of its own field;
+    /// 0 where none was needed.
     double interpolation_error = 0.0;
 };
 
 /// Mean difference of two fields, MD = mean |a_j - b_j| (thesis eq. 27).
 ///
 /// Where both have the same reference points (to 1e-6 spacings) they are compared point by point. Otherwise each point
-/// of either field is compared with the value of the other field interpolated there, and the mean is over the points of
-/// both, so that exchanging a and b changes nothing. The interpolation is Shepard's with a slope: the weights
-/// (1 - d / R)² / d² of the points nearer than R = 2 spacings (Franke & Nielson 1980) give mean place and mean value,
-/// and a slope fitted with the same weights carries the value from there to the point; the result stays within the
-/// values used. Points with nothing within R are left out; where all are, the numbers are not numbers and
-/// compared_share is 0.
+/// of either field is compared with the value of the other field interpolated there, and the means over the points of a
+/// and over those of b are averaged, so that both fields count alike and exchanging them changes nothing. The
+/// interpolation is Shepard's with a slope: the weights (1 - d / R)² / d² of the points nearer than R = 2 spacings
+/// (Franke & Nielson 1980) give mean place and mean value, and a slope fitted with the same weights carries the value
+/// from there to the point; the result stays within the values used. Points with nothing within R are left out; where
+/// all are, the numbers are not numbers and compared_share is 0.
 FieldDifference mean_difference(const PointField& a, const PointField& b);
 
 /// A triangulated surface held elsewhere.

@@ -132,8 +132,8 @@ std::string how_J_is_compared(const RunComparison& comparison)
     }
     return fmt::format(
         "The runs have different reference points ({} and {} particles): J is interpolated. Each point of either run "
-        "is compared with the J of the other run interpolated in the reference configuration, and the mean is over "
-        "the points of both. *Interpolation error* is the mean error when each J is interpolated from its own "
+        "is compared with the J of the other run interpolated in the reference configuration; the means over the "
+        "points of each are averaged. *Interpolation error* is the mean error when each J is interpolated from its own "
         "neighbours: differences below it say nothing. *Compared* is the share of points with a counterpart.",
         comparison.particles[0], comparison.particles[1]);
 }
