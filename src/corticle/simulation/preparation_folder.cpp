@@ -216,8 +216,16 @@ std::string prepare(const PrepareRequest& request)
         }
     }
     write_text_atomically(request.out / "preparation.json", report.dump(2) + "\n");
-    return report_text(report) + (comparison ? "\n" + comparison_text(*comparison) : "") +
-           (reason.empty() ? "" : "warning: no pictures: " + reason + "\n");
+    std::string text = report_text(report);
+    if (comparison)
+    {
+        text += fmt::format("\n{}", comparison_text(*comparison));
+    }
+    if (!reason.empty())
+    {
+        text += fmt::format("warning: no pictures: {}\n", reason);
+    }
+    return text;
 }
 
 } // namespace corticle
