@@ -148,7 +148,7 @@ void warn_of_unevenness(TetCloud& result)
     {
         result.warnings.push_back(fmt::format(
             "tet mesh: the largest particle has {:.2g} times the mean volume; expected at most {}; particles "
-            "are sparse around it, and gradients poor",
+            "are sparse around it",
             quality.largest_volume / quality.mean_volume, largest));
     }
 }
