@@ -141,12 +141,11 @@ std::vector<double> crowding_of_all(std::span<const Vec3> points, std::span<cons
     return crowding;
 }
 
-/// Weighted sample elimination (Yuksel 2015).
-std::vector<std::int32_t> eliminate(std::span<const Vec3> fixed, std::span<const Vec3> points,
-                                    std::span<const double> volumes, std::int64_t count, std::uint64_t seed)
+/// Weighted sample elimination (Yuksel 2015) of points that fill a volume [mm³] beside the fixed ones.
+std::vector<std::int32_t> eliminate(std::span<const Vec3> fixed, std::span<const Vec3> points, double volume,
+                                    std::int64_t count, std::uint64_t seed)
 {
-    const double total = std::max(std::accumulate(volumes.begin(), volumes.end(), 0.0), 1e-300);
-    const PairCrowding pair(total, static_cast<double>(points.size()), static_cast<double>(count));
+    const PairCrowding pair(volume, static_cast<double>(points.size()), static_cast<double>(count));
     const CellGrid grid(points, pair.reach());
     std::vector<double> crowding = crowding_of_all(points, fixed, grid, pair);
 
@@ -190,6 +189,19 @@ std::vector<std::int32_t> eliminate(std::span<const Vec3> fixed, std::span<const
     return kept;
 }
 
+/// How many points elimination chooses from. Where there is more to choose from it packs what it keeps more tightly, so
+/// the choice is to be equal everywhere: as many as can be had at an even density, from two to five times the count.
+std::int64_t candidate_count(std::span<const double> volumes, std::int64_t count)
+{
+    std::vector<double> sorted(volumes.begin(), volumes.end());
+    const auto large = sorted.begin() + static_cast<std::ptrdiff_t>(0.9 * static_cast<double>(sorted.size() - 1));
+    std::nth_element(sorted.begin(), large, sorted.end());
+    const double total = std::accumulate(volumes.begin(), volumes.end(), 0.0);
+    const auto some = static_cast<double>(count);
+    const double evenly = *large > 0.0 ? std::clamp(total / *large, 2.0 * some, 5.0 * some) : 5.0 * some;
+    return std::min<std::int64_t>(std::ssize(volumes), std::llround(evenly));
+}
+
 } // namespace
 
 std::vector<std::int32_t> thin_random(std::span<const Vec3> points, std::int64_t count, std::uint64_t seed)
@@ -231,23 +243,16 @@ std::vector<std::int32_t> thin_uniform_beside(std::span<const Vec3> fixed, std::
                                               std::span<const double> volumes, std::int64_t count, std::uint64_t seed)
 {
     require_count(points, count);
-    // Where there is more to choose from, elimination packs what is left more tightly: the choice is made equal first.
-    constexpr std::int64_t choice = 5;
-    if (std::ssize(points) <= choice * count)
-    {
-        return eliminate(fixed, points, volumes, count, seed);
-    }
-    const std::vector<std::int32_t> candidates = thin_random_by_volume(points, volumes, choice * count, seed);
+    const std::vector<std::int32_t> candidates =
+        thin_random_by_volume(points, volumes, candidate_count(volumes, count), seed);
     std::vector<Vec3> positions;
-    // Of uniform density by now.
-    const double total = std::accumulate(volumes.begin(), volumes.end(), 0.0);
-    const std::vector<double> shares(candidates.size(), total / static_cast<double>(candidates.size()));
     positions.reserve(candidates.size());
     for (const std::int32_t i : candidates)
     {
         positions.push_back(points[i]);
     }
-    std::vector<std::int32_t> kept = eliminate(fixed, positions, shares, count, seed);
+    const double volume = std::max(std::accumulate(volumes.begin(), volumes.end(), 0.0), 1e-300);
+    std::vector<std::int32_t> kept = eliminate(fixed, positions, volume, count, seed);
     for (std::int32_t& k : kept)
     {
         k = candidates[k];

@@ -19,8 +19,8 @@ namespace corticle
 std::vector<std::int32_t> thin_random(std::span<const Vec3> points, std::int64_t count, std::uint64_t seed);
 
 /// Keeps `count` of many points, evenly spread whatever their density: takes away, one at a time, the point that is the
-/// most crowded by those left (weighted sample elimination, Yuksel 2015). Of more than five times as many, five times
-/// as many are chosen at random first.
+/// most crowded by those left (weighted sample elimination, Yuksel 2015). It chooses from two to
+/// five times as many, taken at random at an even density.
 /// @param points  finite [mm]
 /// @param seed    decides between points that are equally crowded
 /// @return indices of the kept points, ascending

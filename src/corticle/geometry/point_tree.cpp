@@ -60,7 +60,7 @@ void PointTree::build(std::int64_t begin, std::int64_t end)
     const int axis = longest_axis(std::span(points_).subspan(begin, end - begin));
     std::nth_element(points_.begin() + begin, points_.begin() + middle, points_.begin() + end,
                      [axis](const Vec3& a, const Vec3& b) { return a[axis] < b[axis]; });
-    axis_[middle] = static_cast<std::int8_t>(axis);
+    axis_[middle] = static_cast<std::uint8_t>(axis);
     build(begin, middle);
     build(middle + 1, end);
 }

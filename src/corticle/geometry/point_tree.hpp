@@ -38,8 +38,8 @@ class PointTree
     /// Looks through the points of [begin, end), whose split is entered at their middle.
     void search(std::int64_t begin, std::int64_t end, const Vec3& place, std::span<double> nearest) const;
 
-    std::vector<Vec3> points_;      ///< in the order of the tree: the middle one of a range splits it
-    std::vector<std::int8_t> axis_; ///< along which a middle point splits
+    std::vector<Vec3> points_;       ///< in the order of the tree: the middle one of a range splits it
+    std::vector<std::uint8_t> axis_; ///< along which a middle point splits
 };
 
 } // namespace corticle

@@ -46,13 +46,22 @@ std::span<const Vec3> positions_of(const Body& body)
     return body.cloud.positions;
 }
 
-/// Thickness of the exact cortex: on the sphere that of eq. 24 where the case has a lambda.
-double exact_thickness(const Options& options)
+bool is_sphere_by_lambda(const Options& options)
 {
-    const bool by_lambda = options.tissue.lambda > 0.0 && options.tissue.layer == Layer::binary;
-    return by_lambda && options.geometry.shape == "sphere"
-               ? (1.0 - std::sqrt(options.tissue.lambda)) * options.geometry.radius_mm
-               : options.tissue.thickness_mm;
+    return options.geometry.shape == "sphere" && options.tissue.lambda > 0.0 && options.tissue.layer == Layer::binary;
+}
+
+/// Thickness of the exact cortex at each particle: on the sphere that of eq. 24 where the case has a lambda [mm].
+std::vector<double> exact_thickness(const Body& body, const Options& options)
+{
+    if (!body.tissue.thickness.empty())
+    {
+        return body.tissue.thickness;
+    }
+    const double everywhere = is_sphere_by_lambda(options)
+                                  ? (1.0 - std::sqrt(options.tissue.lambda)) * options.geometry.radius_mm
+                                  : options.tissue.thickness_mm;
+    return std::vector<double>(body.cloud.positions.size(), everywhere);
 }
 
 /// Depths and normals of the sphere itself.
@@ -67,10 +76,9 @@ void set_sphere(const Body& body, double radius, Exact& exact)
 }
 
 /// Depths of the triangulated surface, and their gradient as normals; on the surface itself the vertex normals.
-void set_surface(const Body& body, Exact& exact)
+void set_surface(const Body& body, const SurfaceTree& tree, Exact& exact)
 {
     exact.reference = "triangulated surface";
-    const SurfaceTree tree(body.surface.vertices, body.surface.triangles);
     const std::int64_t count = std::ssize(positions_of(body));
     exact.depth.resize(count);
     exact.normal.resize(count);
@@ -86,7 +94,7 @@ void set_surface(const Body& body, Exact& exact)
                  });
 }
 
-Exact exact_answers(const Body& body, const Options& options)
+Exact exact_answers(const Body& body, const Options& options, const SurfaceTree& tree)
 {
     constexpr double fine_lines = 24.0; // per spacing
     Exact exact;
@@ -97,20 +105,21 @@ Exact exact_answers(const Body& body, const Options& options)
     }
     else
     {
-        set_surface(body, exact);
+        set_surface(body, tree, exact);
     }
     exact.volume = cell_volumes(body.surface, body.cloud.positions, body.cloud.spacing, fine_lines);
     exact.total_volume = enclosed_volume(body.surface.vertices, body.surface.triangles);
-    const double thickness = exact_thickness(options);
+    const std::vector<double> thickness = exact_thickness(body, options);
     std::vector<double> inside;
-    for (const double depth : exact.depth)
+    for (std::size_t i = 0; i < thickness.size(); ++i)
     {
-        inside.push_back(thickness - depth);
-        exact.theta.push_back(depth <= thickness ? 1.0 : 0.0);
+        inside.push_back(thickness[i] - exact.depth[i]);
+        exact.theta.push_back(inside[i] >= 0.0 ? 1.0 : 0.0);
     }
-    exact.cortex_volume = sphere
-                              ? exact.total_volume * (1.0 - std::pow(1.0 - thickness / options.geometry.radius_mm, 3))
-                              : volume_inside(inside, exact.volume);
+    exact.cortex_volume =
+        sphere && body.tissue.thickness.empty()
+            ? exact.total_volume * (1.0 - std::pow(1.0 - thickness[0] / options.geometry.radius_mm, 3))
+            : volume_inside(inside, exact.volume);
     return exact;
 }
 
@@ -213,22 +222,39 @@ LayerErrors layer_errors(std::string choice, std::span<const double> theta, std:
     return errors;
 }
 
-/// Our sharp layer at t = 0, also where the case has a smooth one.
-std::vector<double> our_sharp_layer(const Body& body, const Options& options)
+/// What we do, whatever the case of the body chooses.
+Tissue our_tissue(const Body& body, const Options& options, const SurfaceTree& tree)
 {
-    if (options.tissue.layer == Layer::binary)
+    Tissue ours;
+    ours.options = options.tissue;
+    ours.options.layer = Layer::binary; // what the exact cortex is compared with
+    ours.thickness = body.tissue.thickness;
+    ours.volume = cell_volumes(body.surface, body.cloud.positions, body.cloud.spacing);
+    ours.depth.resize(body.cloud.positions.size());
+    ours.normal.resize(body.cloud.positions.size());
+    parallel_for(std::ssize(ours.depth),
+                 [&](std::int64_t i)
+                 {
+                     const SurfacePoint foot = tree.closest(body.cloud.positions[i]);
+                     ours.depth[i] = std::sqrt(foot.squared_distance);
+                     ours.normal[i] = tree.interpolated_normal(foot);
+                 });
+    if (is_sphere_by_lambda(options))
     {
-        return body.tissue.theta;
+        const double radius = options.geometry.radius_mm;
+        ours.theta =
+            ellipsoid_layer(body.cloud.positions, ours.volume, {radius, radius, radius}, options.tissue.lambda);
     }
-    Tissue tissue = body.tissue;
-    tissue.options.layer = Layer::binary;
-    tissue.set_layer(0.0);
-    return tissue.theta;
+    else
+    {
+        ours.set_layer(0.0);
+    }
+    return ours;
 }
 
-void compare_normals(const Body& body, const Exact& exact, PreparationComparison& result)
+void compare_normals(const Body& body, const Tissue& ours, const Exact& exact, PreparationComparison& result)
 {
-    result.normals.push_back(normal_errors("ours: closest point", angles(body.tissue.normal, exact.normal), exact));
+    result.normals.push_back(normal_errors("ours: closest point", angles(ours.normal, exact.normal), exact));
     const NormalLines lines = triangle_normal_lines(body.surface);
     const Vec3 centre = extents_centre(body.cloud.positions);
     const std::vector<std::int32_t>& divisions = result.thesis.divisions;
@@ -245,12 +271,12 @@ void compare_normals(const Body& body, const Exact& exact, PreparationComparison
     }
 }
 
-std::vector<double> compare_volumes(const Body& body, const Exact& exact, PreparationComparison& result)
+std::vector<double> compare_volumes(const Body& body, const Tissue& ours, const Exact& exact,
+                                    PreparationComparison& result)
 {
     const double radius = result.thesis.kernel_radius_mm;
     std::vector<double> volumes = neighbor_count_volumes(body.cloud.positions, radius, exact.total_volume);
-    result.volumes.push_back(
-        volume_errors("ours: Voronoi cells cut at the surface", body.cloud.volumes, body, exact, radius));
+    result.volumes.push_back(volume_errors("ours: Voronoi cells cut at the surface", ours.volume, body, exact, radius));
     result.volumes.push_back(
         volume_errors(fmt::format("thesis: neighbour counts within {:g} mm", radius), volumes, body, exact, radius));
     for (std::size_t i = 0; i < volumes.size(); ++i)
@@ -260,8 +286,8 @@ std::vector<double> compare_volumes(const Body& body, const Exact& exact, Prepar
     return volumes;
 }
 
-void compare_layers(const Body& body, const Options& options, const Exact& exact,
-                    std::span<const double> thesis_volumes, PreparationComparison& result)
+void compare_layers(const Body& body, const Tissue& ours, const Exact& exact, std::span<const double> thesis_volumes,
+                    PreparationComparison& result)
 {
     const std::span<const Vec3> positions = positions_of(body);
     const double lambda = result.thesis.lambda;
@@ -275,8 +301,7 @@ void compare_layers(const Body& body, const Options& options, const Exact& exact
         result.layer_disagreement.push_back(result.thesis_theta[i] - exact.theta[i]);
     }
     result.exact_cortex_share = exact.cortex_volume / exact.total_volume;
-    result.layers.push_back(
-        layer_errors("ours: depth, volume kept", our_sharp_layer(body, options), body.cloud.volumes, exact));
+    result.layers.push_back(layer_errors("ours: depth, volume kept", ours.theta, ours.volume, exact));
     result.layers.push_back(layer_errors(fmt::format("thesis: eq. 24 with lambda = {:g}, exact volumes", lambda),
                                          result.thesis_theta, exact.volume, exact));
     result.layers.push_back(
@@ -297,11 +322,10 @@ std::vector<Vec3> chosen(std::span<const Vec3> points, std::span<const std::int3
     return subset;
 }
 
-void compare_evenness(const Body& body, const Options& options, PreparationComparison& result)
+void compare_evenness(const Body& body, const Options& options, const SurfaceTree& tree, PreparationComparison& result)
 {
     const double spacing = body.cloud.spacing;
     const double support = options.tlsph.support * spacing;
-    const SurfaceTree tree(body.surface.vertices, body.surface.triangles);
     const auto add = [&](std::string choice, std::span<const Vec3> points)
     {
         std::vector<double> depths(points.size());
@@ -309,7 +333,8 @@ void compare_evenness(const Body& body, const Options& options, PreparationCompa
                      [&](std::int64_t i) { depths[i] = std::sqrt(tree.closest(points[i]).squared_distance); });
         result.clouds.push_back({std::move(choice), measure_evenness(points, depths, spacing, support)});
     };
-    add("ours: repulsion", body.cloud.positions);
+    const std::string& arrangement = options.geometry.arrangement;
+    add(arrangement == "body_fitted" ? "ours: repulsion" : "this body: " + arrangement, body.cloud.positions);
 
     constexpr double edge_per_spacing = 1.05;
     const double dense_spacing = spacing / std::cbrt(result.thesis.dense_ratio);
@@ -328,15 +353,17 @@ PreparationComparison compare_preparation(const Body& body, const Options& optio
     result.thesis = thesis;
     result.particles = std::ssize(body.cloud.positions);
     result.spacing_mm = body.cloud.spacing;
-    const Exact exact = exact_answers(body, options);
+    const SurfaceTree tree(body.surface.vertices, body.surface.triangles);
+    const Exact exact = exact_answers(body, options, tree);
+    const Tissue ours = our_tissue(body, options, tree);
     result.reference = exact.reference;
-    compare_normals(body, exact, result);
-    const std::vector<double> thesis_volumes = compare_volumes(body, exact, result);
-    result.depths.push_back(depth_errors("ours: closest point of the triangles", body.tissue.depth, exact));
+    compare_normals(body, ours, exact, result);
+    const std::vector<double> thesis_volumes = compare_volumes(body, ours, exact, result);
+    result.depths.push_back(depth_errors("ours: closest point of the triangles", ours.depth, exact));
     result.depths.push_back(
         depth_errors("thesis: nearest particle on the surface", distances_to_surface_particles(body), exact));
-    compare_layers(body, options, exact, thesis_volumes, result);
-    compare_evenness(body, options, result);
+    compare_layers(body, ours, exact, thesis_volumes, result);
+    compare_evenness(body, options, tree, result);
     return result;
 }
 

@@ -150,7 +150,7 @@ void write_comparison_pictures(const std::filesystem::path& folder, const Body& 
     const std::vector<Mat3> undeformed(body.cloud.positions.size(), Mat3::identity());
     const std::int32_t divisions = comparison.thesis.divisions[comparison.thesis.divisions.size() / 2];
     const auto render =
-        [&](const char* name, std::span<const double> scalar, ColorScale scale, const std::string& title)
+        [&](const char* name, std::span<const double> scalar, const ColorScale& scale, const std::string& title)
     {
         const CutInput cut{.positions = body.cloud.positions,
                            .origins = body.cloud.positions,
