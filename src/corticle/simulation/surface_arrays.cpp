@@ -21,14 +21,16 @@ std::vector<Vec3> cortex_boundary(const Body& body, double t)
 {
     const TissueOptions& tissue = body.tissue.options;
     const bool similar = tissue.layer == Layer::binary && tissue.lambda > 0.0;
-    const double thickness = tissue.thickness_mm + tissue.thickness_rate_mm * t;
+    const std::vector<double>& local = body.tissue.thickness;
     std::vector<Vec3> boundary;
     boundary.reserve(body.surface.vertices.size());
     for (std::size_t v = 0; v < body.surface.vertices.size(); ++v)
     {
         const Vec3 X = body.surface.vertices[v];
-        const Vec3 normal = body.tissue.normal[body.cloud.surface_particles[v]];
-        boundary.push_back(similar ? std::sqrt(tissue.lambda) * X : X - thickness * normal);
+        const auto particle = static_cast<std::size_t>(body.cloud.surface_particles[v]);
+        const double thickness =
+            (local.empty() ? tissue.thickness_mm : local[particle]) + tissue.thickness_rate_mm * t;
+        boundary.push_back(similar ? std::sqrt(tissue.lambda) * X : X - thickness * body.tissue.normal[particle]);
     }
     return boundary;
 }
