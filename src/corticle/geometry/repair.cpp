@@ -70,6 +70,7 @@ std::optional<std::string> fault_of(const TriangleMesh& surface, const std::stri
 TriangleMesh without_flat_triangles(const TriangleMesh& surface)
 {
     std::vector<char> keep;
+    keep.reserve(surface.triangles.size());
     for (const Triangle& t : surface.triangles)
     {
         const Vec3& a = surface.vertices[t[0]];

@@ -68,6 +68,7 @@ TriangleMesh drop_open_crumbs(const TriangleMesh& surface, std::vector<std::stri
     }
     lines.push_back(fmt::format("dropped {} open pieces of less than {:g} % of the area", dropped, 100 * small_share));
     std::vector<char> keep;
+    keep.reserve(shell.size());
     for (const std::int32_t s : shell)
     {
         keep.push_back(is_crumb[static_cast<std::size_t>(s)] != 0 ? 0 : 1);

@@ -86,6 +86,7 @@ std::vector<SurfaceHole> holes_of(const TriangleMesh& surface, const std::vector
         points.insert(points.end(), {surface.vertices[a], surface.vertices[b]});
     }
     std::vector<SurfaceHole> holes;
+    holes.reserve(by_root.size());
     for (auto& [root, hole] : by_root)
     {
         hole.radius_mm = std::min(hole.length_mm / (2.0 * std::numbers::pi), 0.5 * bounding_diagonal(rim_points[root]));
@@ -199,6 +200,7 @@ TriangleMesh merge_within(const TriangleMesh& surface, double distance)
     }
     TriangleMesh merged = surface;
     std::vector<char> keep;
+    keep.reserve(merged.triangles.size());
     for (Triangle& t : merged.triangles)
     {
         t = {same.root(t[0]), same.root(t[1]), same.root(t[2])};
@@ -211,6 +213,7 @@ TriangleMesh drop_repeated_triangles(const TriangleMesh& surface)
 {
     std::set<Triangle> seen;
     std::vector<char> keep;
+    keep.reserve(surface.triangles.size());
     for (Triangle t : surface.triangles)
     {
         std::sort(t.begin(), t.end());
@@ -231,6 +234,7 @@ TriangleMesh open_pinched_holes(const TriangleMesh& surface)
             break;
         }
         std::vector<char> keep;
+        keep.reserve(result.triangles.size());
         for (const Triangle& t : result.triangles)
         {
             keep.push_back(pinched[t[0]] != 0 || pinched[t[1]] != 0 || pinched[t[2]] != 0 ? 0 : 1);

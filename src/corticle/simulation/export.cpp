@@ -121,6 +121,7 @@ std::vector<std::string> write_frame(const ExportRequest& request, const fs::pat
     if (request.format == "ply")
     {
         std::vector<Field> fields;
+        fields.reserve(scalars.size());
         for (const auto& [field, part] : scalars)
         {
             fields.push_back({part, 1, field.values});
