@@ -3,6 +3,7 @@
 
 #include "corticle/io/nifti_header.hpp"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -88,7 +89,8 @@ class NiftiSample
     template <class T>
     void put(std::size_t offset, T value)
     {
-        header_.replace(offset, sizeof(T), bytes_of_number(value));
+        const std::string bytes = bytes_of_number(value);
+        std::copy(bytes.begin(), bytes.end(), header_.begin() + static_cast<std::ptrdiff_t>(offset));
     }
 
     const NiftiLayout& layout() const { return layout_; }

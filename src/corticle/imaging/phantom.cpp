@@ -121,9 +121,10 @@ LabelVolume make_brain_phantom(const PhantomOptions& options)
     parallel_for(static_cast<std::int64_t>(image.labels.size()),
                  [&](std::int64_t k)
                  {
-                     const Vec3 index{static_cast<double>(k % image.size[0]),
-                                      static_cast<double>(k / image.size[0] % image.size[1]),
-                                      static_cast<double>(k / (image.size[0] * image.size[1]))};
+                     const std::int64_t row = k / image.size[0];
+                     const std::int64_t layer = row / image.size[1];
+                     const Vec3 index{static_cast<double>(k % image.size[0]), static_cast<double>(row % image.size[1]),
+                                      static_cast<double>(layer)};
                      const Vec3 p = image.frame.position(index) / scale;
                      image.labels[k] = label_at({std::abs(p.x), p.y, p.z});
                  });

@@ -99,7 +99,7 @@ class HeaderFields
     {
         const std::string_view magic(bytes_.data() + layout_.magic, layout_.wide ? 8 : 4);
         const std::string_view single =
-            layout_.wide ? std::string_view("n+2\0\r\n\032\n", 8) : std::string_view("n+1", 4);
+            layout_.wide ? std::string_view("n+2\0\r\n\032\n", 8) : std::string_view("n+1\0", 4);
         if (magic.substr(0, 3) == "ni1" || magic.substr(0, 3) == "ni2")
         {
             fail_reading(name_, "a pair of header and image files", magic.substr(0, 3),
