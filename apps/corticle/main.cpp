@@ -57,7 +57,8 @@ void add_run(CLI::App& app, Verb& chosen)
     CLI::App* verb = app.add_subcommand("run", "Run a case");
     verb->add_option("case", arguments->case_file, "Case to run")->type_name("CASE.toml")->required();
     verb->add_option("--out", arguments->out, "Run folder (default: runs/<name of the case>)")->type_name("DIR");
-    verb->add_option("--body", arguments->body, "Body made by prepare from the same [geometry] and [map], or its folder")
+    verb->add_option("--body", arguments->body,
+                     "Body made by prepare from the same [geometry] and [map], or its folder")
         ->type_name("BODY");
     add_overrides(*verb, arguments->overrides);
     add_threads(*verb, arguments->threads);
@@ -70,7 +71,8 @@ void add_run(CLI::App& app, Verb& chosen)
 void add_prepare(CLI::App& app, Verb& chosen)
 {
     auto arguments = std::make_shared<PrepareArguments>();
-    CLI::App* verb = app.add_subcommand("prepare", "Make the body of a case, and nothing else: report, files, pictures");
+    CLI::App* verb =
+        app.add_subcommand("prepare", "Make the body of a case, and nothing else: report, files, pictures");
     verb->add_option("case", arguments->case_file, "Case to prepare")->type_name("CASE.toml")->required();
     verb->add_option("--out", arguments->out, "Folder for the body (default: prepared/<name of the case>)")
         ->type_name("DIR");

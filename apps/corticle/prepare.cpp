@@ -13,7 +13,8 @@ int prepare_command(const PrepareArguments& arguments)
 {
     PrepareRequest request;
     request.options = read_case(arguments.case_file, arguments.overrides);
-    request.out = arguments.out.empty() ? std::filesystem::path("prepared") / arguments.case_file.stem() : arguments.out;
+    request.out =
+        arguments.out.empty() ? std::filesystem::path("prepared") / arguments.case_file.stem() : arguments.out;
     request.threads = arguments.threads;
     request.overwrite = arguments.overwrite;
     request.compare_thesis = arguments.compare_thesis;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Feeds damaged NIfTI files to the reader: plain, damaged after compression, and before it. Usage: nifti_reader [seconds].
+// Feeds damaged NIfTI files to the reader: plain, damaged after compression, and before it. Usage: nifti_reader
+// [seconds].
 #include "corticle/io/nifti.hpp"
 
 #include "fuzz/reader_fuzz.hpp"
@@ -45,8 +46,14 @@ std::vector<Sample> samples()
 /// What readers of a binary header trip over.
 std::vector<std::string> awkward_numbers()
 {
-    return {"\x7f\xff",         "\xff\x7f",           std::string("\x7f\x80\0\0", 4), std::string("\0\0\xc0\x7f", 4),
-            "\x7f\xff\xff\xff", std::string("\x80\0\0\0", 4), std::string("\x01\0", 2),       std::string("\0\x01", 2)};
+    return {"\x7f\xff",
+            "\xff\x7f",
+            std::string("\x7f\x80\0\0", 4),
+            std::string("\0\0\xc0\x7f", 4),
+            "\x7f\xff\xff\xff",
+            std::string("\x80\0\0\0", 4),
+            std::string("\x01\0", 2),
+            std::string("\0\x01", 2)};
 }
 
 } // namespace

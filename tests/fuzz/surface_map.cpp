@@ -36,7 +36,8 @@ int main(int argc, char** argv)
 {
     using namespace corticle;
     limit_memory();
-    return fuzz_reader(argc > 1 ? std::atof(argv[1]) : 10.0, samples(), {"\"", "<", "/>", "<!--", ",", ";", "#", "depth"},
+    return fuzz_reader(argc > 1 ? std::atof(argv[1]) : 10.0, samples(),
+                       {"\"", "<", "/>", "<!--", ",", ";", "#", "depth"},
                        [](const std::string& kind, const std::string& bytes)
                        {
                            const bool is_single = kind == "thickness" || kind == "txt";

@@ -32,7 +32,7 @@ class BodyMapsTest : public ::testing::Test
         std::string text;
         for (const Vec3& X : ball_.vertices)
         {
-            text += fmt::format("{:.17g}\n", value(X));
+            text += fmt::format("{:.17g}\n", static_cast<double>(value(X)));
         }
         return write(name, text);
     }
@@ -84,10 +84,10 @@ TEST_F(BodyMapsTest, NumbersAreInterpolatedAtTheClosestPoint)
     const BodyMaps maps = read(options);
     for (std::size_t i = 0; i < points_.size(); ++i)
     {
-        // A function linear in X is interpolated exactly; the closest point is on the ray but for the facets.
+        // Exact but for the facets, on which the closest point is up to 0.4 mm beside the ray.
         const Vec3 foot = 10.0 * normalized(points_[i]);
-        EXPECT_NEAR(maps.growth[i], 1.0 + 0.05 * foot.x, 0.01) << i;
-        EXPECT_NEAR(maps.thickness[i], 2.0 + 0.1 * foot.z, 0.02) << i;
+        EXPECT_NEAR(maps.growth[i], 1.0 + 0.05 * foot.x, 0.02) << i;
+        EXPECT_NEAR(maps.thickness[i], 2.0 + 0.1 * foot.z, 0.04) << i;
     }
 }
 
@@ -137,8 +137,9 @@ TEST_F(BodyMapsTest, MapsByVerticesNeedASurface)
 {
     MapOptions options;
     options.growth_file = vertex_map("growth.csv", [](const Vec3&) { return 1.0; });
-    EXPECT_NE(message_of<InputError>([&] { read_body_maps(options, {}, points_); }).find("not made from a surface file"),
-              std::string::npos);
+    EXPECT_NE(
+        message_of<InputError>([&] { read_body_maps(options, {}, points_); }).find("not made from a surface file"),
+        std::string::npos);
 }
 
 } // namespace corticle

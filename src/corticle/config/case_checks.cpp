@@ -30,10 +30,11 @@ void check_geometry(const GeometryOptions& geometry, const Place& place)
     }
     if (geometry.shape == "file" && geometry.file.empty())
     {
-        throw InputError(fmt::format("geometry.file{} is missing: got none, expected the path of a surface, label volume or tet "
-                                     "mesh, as "
-                                     "geometry.shape{} is \"file\"",
-                                     place("geometry.file"), place("geometry.shape")));
+        throw InputError(
+            fmt::format("geometry.file{} is missing: got none, expected the path of a surface, label volume or tet "
+                        "mesh, as "
+                        "geometry.shape{} is \"file\"",
+                        place("geometry.file"), place("geometry.shape")));
     }
     if (geometry.shape != "file" && !geometry.file.empty())
     {
@@ -57,8 +58,8 @@ void check_file_keys(const GeometryOptions& geometry, const Place& place)
     {
         if (is_set && geometry.shape != "file")
         {
-            throw InputError(fmt::format("{}{} is given, but geometry.shape{} is \"{}\": expected shape = \"file\"", key,
-                                         place(key), place("geometry.shape"), geometry.shape));
+            throw InputError(fmt::format("{}{} is given, but geometry.shape{} is \"{}\": expected shape = \"file\"",
+                                         key, place(key), place("geometry.shape"), geometry.shape));
         }
     };
     require_file("geometry.labels", !geometry.mask.labels.empty());

@@ -54,8 +54,9 @@ InputError unknown_section(const std::string& section, const std::string& where)
 {
     const std::string nearest = nearest_section(section);
     return InputError(fmt::format("unknown section [{}] ({}); {}", printable(section), where,
-                                  nearest.empty() ? "expected geometry, map, tissue, solver, contact, time, output or expect"
-                                                  : "did you mean [" + nearest + "]?"));
+                                  nearest.empty()
+                                      ? "expected geometry, map, tissue, solver, contact, time, output or expect"
+                                      : "did you mean [" + nearest + "]?"));
 }
 
 bool is_section(std::string_view section)

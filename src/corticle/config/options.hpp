@@ -25,13 +25,13 @@ struct GeometryOptions
     std::string shape = "sphere";                         ///< "sphere" | "ellipsoid" | "file"
     double radius_mm = 12.496;                            ///< sphere
     std::array<double, 3> semi_axes_mm{15.0, 12.0, 10.0}; ///< ellipsoid
-    std::string file;                       ///< closed triangulated surface, label volume or tet mesh
-    std::string unit = "mm";                ///< of a surface or tet mesh: "mm" | "cm" | "m"
-    MaskOptions mask;                       ///< of a label volume: keys labels, image_volume, closing_mm, ...
-    Repair repair = Repair::none;           ///< of a surface that is not closed and embedded
-    RepairOptions wrap;                     ///< keys wrap_alpha_mm, wrap_offset_mm
-    std::optional<double> spacing_mm;       ///< either this
-    std::optional<std::int64_t> particles;  ///< or this
+    std::string file;                                     ///< closed triangulated surface, label volume or tet mesh
+    std::string unit = "mm";                              ///< of a surface or tet mesh: "mm" | "cm" | "m"
+    MaskOptions mask;                      ///< of a label volume: keys labels, image_volume, closing_mm, ...
+    Repair repair = Repair::none;          ///< of a surface that is not closed and embedded
+    RepairOptions wrap;                    ///< keys wrap_alpha_mm, wrap_offset_mm
+    std::optional<double> spacing_mm;      ///< either this
+    std::optional<std::int64_t> particles; ///< or this
     std::int64_t seed = 1;
     std::string arrangement = "body_fitted"; ///< "body_fitted" | "tet_nodes" | "thinned" | "thinned_at_random"
     std::string volumes = "cells";           ///< of the particles: "cells" | "neighbour_count"

@@ -55,9 +55,10 @@ void set_cloud(const Options& options, const BodySource& source, Body& body)
     {
         if (!source.tets)
         {
-            throw InputError(fmt::format("geometry.arrangement = \"{}\": the nodes of a tet mesh become particles, but {} "
-                                         "is none; expected a tet mesh, or arrangement = \"body_fitted\"",
-                                         geometry.arrangement, geometry.file));
+            throw InputError(
+                fmt::format("geometry.arrangement = \"{}\": the nodes of a tet mesh become particles, but {} "
+                            "is none; expected a tet mesh, or arrangement = \"body_fitted\"",
+                            geometry.arrangement, geometry.file));
         }
         TetCloudOptions chosen;
         chosen.seed = static_cast<std::uint64_t>(geometry.seed);
@@ -110,8 +111,7 @@ void set_layer(const Options& options, Body& body)
     }
     else if (options.geometry.shape == "file")
     {
-        tissue.theta =
-            ellipsoid_layer_by_centres(X, fitted_semi_axes(X), options.tissue.lambda, extents_centre(X));
+        tissue.theta = ellipsoid_layer_by_centres(X, fitted_semi_axes(X), options.tissue.lambda, extents_centre(X));
     }
     else
     {
@@ -124,8 +124,8 @@ double cortex_thickness(const Options& options, const Body& body)
 {
     if (options.tissue.layer == Layer::binary && options.tissue.lambda > 0.0)
     {
-        const auto axes = options.geometry.shape == "file" ? fitted_semi_axes(body.cloud.positions)
-                                                           : semi_axes(options.geometry);
+        const auto axes =
+            options.geometry.shape == "file" ? fitted_semi_axes(body.cloud.positions) : semi_axes(options.geometry);
         return (1.0 - std::sqrt(options.tissue.lambda)) * *std::min_element(axes.begin(), axes.end());
     }
     const std::vector<double>& local = body.tissue.thickness;

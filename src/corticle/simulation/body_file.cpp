@@ -37,7 +37,8 @@ const typename Map::mapped_type& array_of(const Map& map, const std::string& nam
     const auto found = map.find(name);
     if (found == map.end())
     {
-        throw InputError(fmt::format("{}: holds no {}; expected a body file made by corticle prepare", file.string(), name));
+        throw InputError(
+            fmt::format("{}: holds no {}; expected a body file made by corticle prepare", file.string(), name));
     }
     return found->second;
 }
@@ -99,8 +100,9 @@ Body read_body(const std::filesystem::path& file, const Options& options)
     const std::vector<std::string> differences = differing_body_keys(image.case_text, to_toml(options));
     if (!differences.empty())
     {
-        throw InputError(fmt::format("{}: this body was made from another case: {}; expected the same [geometry] and [map]",
-                                     file.string(), fmt::join(differences, ", ")));
+        throw InputError(
+            fmt::format("{}: this body was made from another case: {}; expected the same [geometry] and [map]",
+                        file.string(), fmt::join(differences, ", ")));
     }
     body.report.source = "body file";
     body.report.notes = {"read from " + file.string()};

@@ -65,8 +65,8 @@ class MapSampler
         {
             if (values[k] != std::round(values[k]))
             {
-                throw InputError(fmt::format("{} {}: vertex {} has {}; expected a whole number, a label", map.key, map.file,
-                                             k, values[k]));
+                throw InputError(fmt::format("{} {}: vertex {} has {}; expected a whole number, a label", map.key,
+                                             map.file, k, values[k]));
             }
         }
         return at_points(
@@ -84,9 +84,10 @@ class MapSampler
     {
         if (surface_.vertices.empty())
         {
-            throw InputError(fmt::format("{} {}: gives numbers at the vertices of a surface, but the body is not made from "
-                                         "a surface file; expected a NIfTI label volume, or geometry.file = a surface",
-                                         map.key, map.file));
+            throw InputError(
+                fmt::format("{} {}: gives numbers at the vertices of a surface, but the body is not made from "
+                            "a surface file; expected a NIfTI label volume, or geometry.file = a surface",
+                            map.key, map.file));
         }
         return read_surface_map(map.file, map.array, std::ssize(surface_.vertices));
     }
@@ -171,9 +172,10 @@ void apply_regions(const MapOptions& options, std::span<const double> labels, st
         const auto found = table.rows.find(static_cast<std::int64_t>(labels[i]));
         if (found == table.rows.end())
         {
-            throw InputError(fmt::format("map.region_table {}: has no line for label {:.0f}, which {} holds in the body; "
-                                         "expected one for each",
-                                         options.region_table, labels[i], options.region_file));
+            throw InputError(
+                fmt::format("map.region_table {}: has no line for label {:.0f}, which {} holds in the body; "
+                            "expected one for each",
+                            options.region_table, labels[i], options.region_file));
         }
         const double factor = found->second[static_cast<std::size_t>(column)];
         if (factor < 0.0)

@@ -68,8 +68,9 @@ BodyQuality measure_body_quality(const Body& body)
                      for (auto k = static_cast<std::size_t>(pairs.begin[i]);
                           k < static_cast<std::size_t>(pairs.begin[i + 1]); ++k)
                      {
-                         nearest = std::min(nearest, squared_norm(cloud.positions[i] -
-                                                                  cloud.positions[static_cast<std::size_t>(pairs.index[k])]));
+                         nearest =
+                             std::min(nearest, squared_norm(cloud.positions[i] -
+                                                            cloud.positions[static_cast<std::size_t>(pairs.index[k])]));
                      }
                      quality.nearest_distance[i] = std::sqrt(nearest) / cloud.spacing;
                      quality.volume_over_mean[i] = cloud.volumes[i] / mean;
@@ -117,13 +118,16 @@ void render_body(const std::filesystem::path& folder, const Body& body, const Bo
         rightward.push_back(n.x);
     }
     cut.scalar = rightward;
-    render_cut(folder / "normals.png", cut, {"x of the normal", -1.0, 1.0, "coolwarm"}, "Normals of the surface, carried inside");
+    render_cut(folder / "normals.png", cut, {"x of the normal", -1.0, 1.0, "coolwarm"},
+               "Normals of the surface, carried inside");
 
     const bool by_thickness = !tissue.thickness.empty();
-    const std::vector<double> shown = surface_values(body.cloud, by_thickness ? tissue.thickness : tissue.regional_rate);
+    const std::vector<double> shown =
+        surface_values(body.cloud, by_thickness ? tissue.thickness : tissue.regional_rate);
     const double high = *std::max_element(shown.begin(), shown.end());
     render_surface(folder / "surface.png", body.surface.vertices, body.surface.triangles, shown,
-                   {by_thickness ? "cortical thickness [mm]" : "regional growth", 0.0, std::max(high, 1e-3)}, "Body at rest");
+                   {by_thickness ? "cortical thickness [mm]" : "regional growth", 0.0, std::max(high, 1e-3)},
+                   "Body at rest");
     render_quality(folder / "quality.png", quality);
 }
 

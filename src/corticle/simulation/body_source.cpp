@@ -34,8 +34,8 @@ void take_tets(const GeometryOptions& options, BodySource& source)
 {
     source.kind = "tets";
     TetReport report;
-    source.tets = require_valid_tets(read_tets(options.file, millimetres_per(options.unit), &source.notes), options.file,
-                                     &report);
+    source.tets = require_valid_tets(read_tets(options.file, millimetres_per(options.unit), &source.notes),
+                                     options.file, &report);
     std::ranges::move(report.lines, std::back_inserter(source.notes));
     source.surface = boundary_of(*source.tets).surface;
 }

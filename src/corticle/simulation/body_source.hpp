@@ -14,11 +14,11 @@ namespace corticle
 /// What a body is made from, before particles are arranged. [mm]
 struct BodySource
 {
-    std::string kind;             ///< "sphere" | "ellipsoid" | "surface" | "labels" | "tets"
-    TriangleMesh surface;         ///< closed and valid; empty for a sphere or an ellipsoid
-    TriangleMesh map_surface;     ///< as in the file: maps give numbers at its vertices; empty where there is none
-    std::optional<TetMesh> tets;  ///< of a tet mesh
-    double volume = 0.0;          ///< enclosed [mm³]
+    std::string kind;                  ///< "sphere" | "ellipsoid" | "surface" | "labels" | "tets"
+    TriangleMesh surface;              ///< closed and valid; empty for a sphere or an ellipsoid
+    TriangleMesh map_surface;          ///< as in the file: maps give numbers at its vertices; empty where there is none
+    std::optional<TetMesh> tets;       ///< of a tet mesh
+    double volume = 0.0;               ///< enclosed [mm³]
     std::vector<std::string> notes;    ///< what was found and done, one line each
     std::vector<std::string> warnings; ///< one line each
 };

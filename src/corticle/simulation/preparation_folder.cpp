@@ -53,7 +53,8 @@ void require_free_folder(const PrepareRequest& request)
     }
     if (fs::exists(out / "case.toml", error) && !fs::exists(out / "preparation.json", error))
     {
-        throw InputError(fmt::format("--out {}: holds a case that is no preparation; expected another folder", out.string()));
+        throw InputError(
+            fmt::format("--out {}: holds a case that is no preparation; expected another folder", out.string()));
     }
 }
 
@@ -74,8 +75,8 @@ std::array<double, 3> extent(std::span<const Vec3> points)
     std::array<double, 3> result{};
     for (int axis = 0; axis < 3; ++axis)
     {
-        const auto [low, high] = std::minmax_element(points.begin(), points.end(), [axis](const Vec3& a, const Vec3& b)
-                                                     { return a[axis] < b[axis]; });
+        const auto [low, high] = std::minmax_element(
+            points.begin(), points.end(), [axis](const Vec3& a, const Vec3& b) { return a[axis] < b[axis]; });
         result[static_cast<std::size_t>(axis)] = (*high)[axis] - (*low)[axis];
     }
     return result;
@@ -169,12 +170,13 @@ std::string report_text(const Json& j)
                         number("volume_mm3"), number("area_mm2"), j["extent_mm"][0].get<double>(),
                         j["extent_mm"][1].get<double>(), j["extent_mm"][2].get<double>(), j["genus"].get<int>());
     text += fmt::format("particles     {} ({} on the surface), spacing {:.4g} mm, {:.1f} neighbours\n",
-                        j["particles"].get<std::int64_t>(), j["surface_particles"].get<std::int64_t>(), number("spacing_mm"),
-                        number("neighbours_mean"));
-    text += fmt::format("quality       closest pair {:.3f} spacings, volumes {:.3f} to {:.3f} of the mean, worst condition "
-                        "number {:.2f}\n",
-                        number("closest_pair_spacings"), j["volume_over_mean"][0].get<double>(),
-                        j["volume_over_mean"][1].get<double>(), number("worst_condition_number"));
+                        j["particles"].get<std::int64_t>(), j["surface_particles"].get<std::int64_t>(),
+                        number("spacing_mm"), number("neighbours_mean"));
+    text +=
+        fmt::format("quality       closest pair {:.3f} spacings, volumes {:.3f} to {:.3f} of the mean, worst condition "
+                    "number {:.2f}\n",
+                    number("closest_pair_spacings"), j["volume_over_mean"][0].get<double>(),
+                    j["volume_over_mean"][1].get<double>(), number("worst_condition_number"));
     return text + fmt::format("took          {:.1f} s, {:.0f} MB\n", number("seconds"), number("peak_memory_mb"));
 }
 

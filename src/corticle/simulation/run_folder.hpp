@@ -16,7 +16,7 @@ struct RunRequest
     Options options;
     std::filesystem::path out;  ///< run folder
     std::filesystem::path body; ///< body file of `corticle prepare`; empty: prepare the body now
-    int threads = 0;           ///< 0: all cores
+    int threads = 0;            ///< 0: all cores
     bool resume = false;
     bool overwrite = false; ///< remove an earlier run of the same folder first
     bool quiet = false;

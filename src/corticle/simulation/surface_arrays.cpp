@@ -28,8 +28,7 @@ std::vector<Vec3> cortex_boundary(const Body& body, double t)
     {
         const Vec3 X = body.surface.vertices[v];
         const auto particle = static_cast<std::size_t>(body.cloud.surface_particles[v]);
-        const double thickness =
-            (local.empty() ? tissue.thickness_mm : local[particle]) + tissue.thickness_rate_mm * t;
+        const double thickness = (local.empty() ? tissue.thickness_mm : local[particle]) + tissue.thickness_rate_mm * t;
         boundary.push_back(similar ? std::sqrt(tissue.lambda) * X : X - thickness * body.tissue.normal[particle]);
     }
     return boundary;

@@ -18,8 +18,7 @@ void Tissue::set_layer(double t)
                  {
                      const auto k = static_cast<std::size_t>(i);
                      const double H = (thickness.empty() ? options.thickness_mm : thickness[k]) + thickening;
-                     theta[k] =
-                         options.layer == Layer::smooth ? smooth_layer(depth[k], H) : H - depth[k];
+                     theta[k] = options.layer == Layer::smooth ? smooth_layer(depth[k], H) : H - depth[k];
                  });
     if (options.layer == Layer::binary)
     {
