@@ -104,7 +104,7 @@ def without(surface, share):
 
 def dirty_surfaces(bench):
     ball = _surfaces.icosphere(10.0, 4)
-    pierced = _surfaces.moved(ball, 0, tuple(-0.2 * x for x in ball[0][0]))
+    pierced = _surfaces.moved(ball, 0, tuple(-1.05 * x for x in ball[0][0]))
     small = _surfaces.icosphere(2.0, 2, (0.0, 0.0, 30.0))
     dirty = {"holes": without(ball, 0.01), "inside_out": _surfaces.flipped(ball), "crossing": pierced,
              "shells": _surfaces.joined(ball, small)}
@@ -121,10 +121,18 @@ def dirty_surfaces(bench):
                 close(bench, got.get("volume_mm3", 0) / _surfaces.volume(ball), 1.0, 0.01, f"{folder}: volume")
 
 
-def tet_box(cells, edge):
-    """A cube of cells³ cubes, each cut into six tets."""
+def rounded(point):
+    """From the cube of half edge 1 to the ball of radius 1: cubes become spheres."""
+    length = math.hypot(*point)
+    scale = max(map(abs, point)) / length if length > 0 else 1.0
+    return tuple(scale * x for x in point)
+
+
+def tet_ball(cells, radius):
+    """A cube of cells³ cubes, each cut into six tets, drawn in to a ball."""
     n = cells + 1
-    points = [(edge * x, edge * y, edge * z) for z in range(n) for y in range(n) for x in range(n)]
+    at = [2 * k / cells - 1 for k in range(n)]
+    points = [tuple(radius * x for x in rounded((x, y, z))) for z in at for y in at for x in at]
     tets = []
     for z in range(cells):
         for y in range(cells):
@@ -142,22 +150,22 @@ def netgen(mesh):
 
 
 def tets(bench):
-    box = tet_box(12, 1.0)
-    bench.write("box.mesh", netgen(box))
-    bench.write("case.toml", FILE_CASE.format("box.mesh", '[tissue]\nthickness_mm = 2.5\n'))
-    for arrangement in ("tet_nodes", "thinned", "body_fitted"):
-        particles = () if arrangement == "tet_nodes" else ("--set", "geometry.particles=1200")
+    ball, radius = tet_ball(20, 8.0), 8.0
+    bench.write("ball.mesh", netgen(ball))
+    bench.write("case.toml", FILE_CASE.format("ball.mesh", '[tissue]\nthickness_mm = 2.5\n'))
+    for arrangement in ("tet_nodes", "thinned", "thinned_at_random", "body_fitted"):
+        particles = () if arrangement == "tet_nodes" else ("--set", "geometry.particles=2500")
         bench.accepted("prepare", "case.toml", "--out", arrangement, "--quiet", "--set", f"geometry.arrangement={arrangement}",
                        *particles)
         got = report(bench, arrangement)
-        close(bench, got.get("particle_volume_sum_mm3"), 1728.0, 20.0, f"{arrangement}: volume")
+        close(bench, got.get("particle_volume_sum_mm3"), 4 / 3 * math.pi * radius**3, 25.0, f"{arrangement}: volume")
         if arrangement == "tet_nodes":
-            bench.check(got.get("particles") == len(box[0]), f"{got.get('particles')} particles, expected {len(box[0])}")
+            bench.check(got.get("particles") == len(ball[0]), f"{got.get('particles')} particles, expected {len(ball[0])}")
     bench.accepted("run", "case.toml", "--out", "run", "--quiet", "--set", "geometry.arrangement=tet_nodes",
                    "--set", "time.end=0.02")
-    bench.write("twisted.mesh", netgen((box[0], [(a, b, d, c) for a, b, c, d in box[1]])))
+    bench.write("twisted.mesh", netgen((ball[0], [(a, b, d, c) for a, b, c, d in ball[1]])))
     bench.accepted("prepare", "case.toml", "--out", "twisted", "--set", "geometry.file=twisted.mesh")
-    bench.write("apart.mesh", netgen((box[0], [box[1][0], box[1][-1]])))
+    bench.write("apart.mesh", netgen((ball[0], [ball[1][0], ball[1][-1]])))
     bench.refused(["prepare", "case.toml", "--out", "apart", "--set", "geometry.file=apart.mesh"], ["apart.mesh"])
     bench.write("ball.off", _surfaces.off(_surfaces.icosphere(10.0, 3)))
     bench.refused(["prepare", "case.toml", "--out", "b", "--set", "geometry.file=ball.off", "--set",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/simulation/body_source.hpp"
 
+#include "corticle/base/error.hpp"
 #include "corticle/geometry/repair.hpp"
 #include "corticle/geometry/validate.hpp"
 #include "corticle/geometry/validate_tets.hpp"
@@ -23,7 +24,16 @@ namespace
 void take_labels(const GeometryOptions& options, BodySource& source)
 {
     source.kind = "labels";
-    ImagedSurface imaged = surface_from_labels(read_nifti(options.file, options.mask.volume), options.mask);
+    const LabelVolume image = read_nifti(options.file, options.mask.volume);
+    ImagedSurface imaged;
+    try
+    {
+        imaged = surface_from_labels(image, options.mask);
+    }
+    catch (const InputError& error)
+    {
+        throw InputError(fmt::format("{}: {}", options.file, error.what()));
+    }
     source.surface = std::move(imaged.surface);
     source.notes = describe(imaged.report);
     source.warnings = std::move(imaged.report.warnings);
