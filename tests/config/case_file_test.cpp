@@ -36,7 +36,8 @@ TEST(CaseFile, AnEmptyCaseHasTheDefaults)
     const Options options = parse("");
     EXPECT_EQ(options.geometry.particles, 45000);
     EXPECT_FALSE(options.geometry.spacing_mm);
-    EXPECT_EQ(options.geometry.radius_mm, GeometryOptions{}.radius_mm);
+    const GeometryOptions defaults;
+    EXPECT_EQ(options.geometry.radius_mm, defaults.radius_mm);
     EXPECT_EQ(options.tlsph.support, TlsphOptions{}.support);
 }
 

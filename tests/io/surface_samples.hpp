@@ -82,7 +82,8 @@ inline std::string obj_text(const TriangleMesh& mesh)
         text += "f";
         for (const std::int32_t corner : t)
         {
-            text += " " + std::to_string(corner + 1) + "//" + std::to_string(corner + 1);
+            const std::string number = std::to_string(corner + 1);
+            text.append(" ").append(number).append("//").append(number);
         }
         text += "\n";
     }
