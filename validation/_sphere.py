@@ -9,8 +9,6 @@ import _vtk
 
 RADIUS_MM = 12.496
 LARGEST_DEGREE = 20
-GROWTH_T = (0.2, 0.25)   # around the first instability, folds of less than 0.2 mm
-LEAST_SHARE = 0.02       # of the power, for a degree's growth to be told from noise
 
 # Second variation of the unfolded state: g = 1.441, degree 8 or 9 first.
 THEORY_ONSET_T = 0.241
@@ -25,14 +23,6 @@ def spectrum(folder, t):
               for direction, displacement in zip(directions, displacements)]
     areas = _harmonics.vertex_areas(points, triangles)
     return _harmonics.power_by_degree(directions, radial, areas, LARGEST_DEGREE), measures["t"]
-
-
-def fastest_degree(folder):
-    """The degree whose amplitude grows by the largest factor over GROWTH_T, and the factors of all degrees."""
-    (before, _), (after, _) = (spectrum(folder, t) for t in GROWTH_T)
-    factors = [math.sqrt(b / a) for a, b in zip(before, after)]
-    heard = [degree for degree in range(1, len(after)) if after[degree] > LEAST_SHARE * sum(after[1:])]
-    return max(heard, key=factors.__getitem__), factors
 
 
 def fold_width(folder, t):

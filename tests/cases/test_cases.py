@@ -40,17 +40,21 @@ def case_files(source):
     return sorted((source / "cases").glob("*.toml"))
 
 
-def input_surface(bench):
-    """The stand-in for the surface that a case leaves to its user."""
+def stand_in(bench, geometry):
+    """Settings for what a case leaves to its user: a surface, or where it asks for labels the phantom."""
+    if "labels" in geometry:
+        bench.accepted("new", "brain")
+        return [f"geometry.file={bench.folder / 'brain.nii.gz'}", "geometry.labels=[2,3,5,7]"]
     directions, triangles = _surfaces.icosphere(1.0, 4)
-    return bench.write("two_lobes.obj", _surfaces.obj((two_lobes(directions), triangles)))
+    surface = bench.write("two_lobes.obj", _surfaces.obj((two_lobes(directions), triangles)))
+    return [f"geometry.file={bench.folder / surface}"]
 
 
 def fold(bench, file, case):
     """Runs the case shortened; its rows of measures.csv (numbers) and its summary."""
     settings = [f"geometry.particles={PARTICLES}", "output.pictures=off", f"output.count={OUTPUTS}"]
     if case["geometry"].get("shape") == "file":
-        settings.append(f"geometry.file={bench.folder / input_surface(bench)}")
+        settings += stand_in(bench, case["geometry"])
     sets = [word for setting in settings for word in ("--set", setting)]
     bench.accepted("run", file, "--out", "run", "--quiet", *sets, timeout=1500)
     run = bench.folder / "run"
