@@ -82,6 +82,9 @@ def labels(bench):
     bench.accepted("prepare", "case.toml", "--out", "ball", "--set", "geometry.labels=[2]")
     close(bench, report(bench, "ball").get("volume_mm3"), 4 / 3 * math.pi * radius**3, 150.0, "volume of the ball")
     bench.check(report(bench, "ball").get("source") == "labels", "the report does not say that the body is from labels")
+    mask = report(bench, "ball").get("mask", {})
+    bench.check(mask.get("genus") == 0 and any(step["added_voxels"] > 10000 for step in mask.get("steps", [])),
+                f"the report of the mask: {mask}")
 
     def refused(name, content, parts, *more):
         bench.write(name, content)
@@ -117,6 +120,8 @@ def dirty_surfaces(bench):
             bench.accepted("prepare", "case.toml", "--out", folder, "--quiet", "--set", f"geometry.repair={repair}")
             got = report(bench, folder)
             bench.check(got.get("notes"), f"{folder}: the report says nothing")
+            wrapped = got.get("repair", {}).get("wrapped")
+            bench.check(wrapped if repair == "wrap" else wrapped is not None, f"{folder}: wrapped is {wrapped}")
             if (name, repair) != ("shells", "wrap"):
                 close(bench, got.get("volume_mm3", 0) / _surfaces.volume(ball), 1.0, 0.01, f"{folder}: volume")
 

@@ -176,6 +176,7 @@ Body arrange_body(const Options& options)
     body.report.source = source.kind;
     body.report.notes = std::move(source.notes);
     body.report.warnings = std::move(source.warnings);
+    body.report.inputs = std::move(source.reports);
     body.report.input_vertices = std::ssize(source.surface.vertices);
     set_cloud(options, source, body);
     set_depth(SurfaceTree(body.surface.vertices, body.surface.triangles), body);

@@ -4,6 +4,7 @@
 #include "corticle/cloud/neighbors.hpp"
 #include "corticle/config/options.hpp"
 #include "corticle/geometry/remesh.hpp"
+#include "corticle/simulation/source_reports.hpp"
 #include "corticle/tissue/tissue.hpp"
 #include "corticle/tlsph/particles.hpp"
 
@@ -15,6 +16,7 @@ struct PreparationReport
 {
     std::string source;              ///< BodySource::kind
     std::vector<std::string> notes;  ///< what was found in the input and done to it, one line each
+    SourceReports inputs;            ///< the same in numbers
     std::int64_t input_vertices = 0; ///< of the input surface; 0 for built-in shapes
     RemeshReport remesh;
     VisibilityReport visibility;

@@ -36,7 +36,8 @@ void take_labels(const GeometryOptions& options, BodySource& source)
     }
     source.surface = std::move(imaged.surface);
     source.notes = describe(imaged.report);
-    source.warnings = std::move(imaged.report.warnings);
+    source.warnings = imaged.report.warnings;
+    source.reports.mask = std::move(imaged.report);
     require_valid_surface(source.surface, options.file);
 }
 
@@ -46,7 +47,8 @@ void take_tets(const GeometryOptions& options, BodySource& source)
     TetReport report;
     source.tets = require_valid_tets(read_tets(options.file, millimetres_per(options.unit), &source.notes),
                                      options.file, &report);
-    std::ranges::move(report.lines, std::back_inserter(source.notes));
+    std::ranges::copy(report.lines, std::back_inserter(source.notes));
+    source.reports.tets = std::move(report);
     source.surface = boundary_of(*source.tets).surface;
 }
 
@@ -56,7 +58,8 @@ void take_surface(const GeometryOptions& options, BodySource& source)
     source.map_surface = read_surface_unmerged(options.file, millimetres_per(options.unit));
     RepairedSurface repaired = repair_surface(source.map_surface, options.file, options.repair, options.wrap);
     source.surface = std::move(repaired.mesh);
-    source.notes = std::move(repaired.report.lines);
+    source.notes = repaired.report.lines;
+    source.reports.repair = std::move(repaired.report);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 
 #include "corticle/config/options.hpp"
 #include "corticle/geometry/tet_mesh.hpp"
+#include "corticle/simulation/source_reports.hpp"
 
 #include <optional>
 #include <string>
@@ -21,6 +22,7 @@ struct BodySource
     double volume = 0.0;               ///< enclosed [mm³]
     std::vector<std::string> notes;    ///< what was found and done, one line each
     std::vector<std::string> warnings; ///< one line each
+    SourceReports reports;             ///< the same in numbers
 };
 
 /// Reads and cleans the input the options name. @throws InputError

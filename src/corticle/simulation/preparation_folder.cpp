@@ -146,6 +146,7 @@ Json report_json(const Body& body, const BodyQuality& quality, double seconds)
     j["volume_over_mean"] = {cloud.smallest_volume / cloud.mean_volume, cloud.largest_volume / cloud.mean_volume};
     j["worst_condition_number"] = *std::max_element(quality.condition_number.begin(), quality.condition_number.end());
     j["cortex_volume_share"] = cortex_share(body);
+    j.update(Json::parse(reports_json(body.report.inputs)));
     j["notes"] = body.report.notes;
     j["warnings"] = body.report.warnings;
     j["seconds"] = seconds;

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/geometry/repair.hpp"
+#include "corticle/geometry/validate_tets.hpp"
+#include "corticle/imaging/mask_report.hpp"
+
+#include <optional>
+#include <string>
+
+namespace corticle
+{
+
+/// What the clean-up of the input found and did; one of these for a body from a file.
+struct SourceReports
+{
+    std::optional<MaskReport> mask;     ///< of a label volume
+    std::optional<RepairReport> repair; ///< of a surface
+    std::optional<TetReport> tets;      ///< of a tet mesh
+};
+
+/// As a JSON object with one key, "mask", "repair" or "tets"; empty for a built-in shape.
+std::string reports_json(const SourceReports& reports);
+
+} // namespace corticle
