@@ -82,7 +82,7 @@ TEST(TlsphExactness, FreeIsotropicGrowthIsFreeOfForceAndStress)
     std::fill(body.tissue.normal.begin(), body.tissue.normal.end(), Vec3{}); // G = g I
     std::fill(body.tissue.theta.begin(), body.tissue.theta.end(), 1.0);
     const double t = 0.4;
-    const double g = growth_ratio(body.tissue.options.alpha_t, 1.0, 1.0, t);
+    const double g = material_point(body.tissue.options, 1.0, 1.0, t).growth;
     TlsphSolver solver(body.particles, body.tissue);
     const std::vector<Vec3> x = affine(body.cloud.positions, g * Mat3::identity());
     std::vector<Vec3> forces(x.size());

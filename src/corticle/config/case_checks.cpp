@@ -149,6 +149,16 @@ std::vector<std::string> case_warnings(const Options& options)
     {
         warnings.push_back(fmt::format("output.times beyond time.end = {} are left out", options.time.end));
     }
+    if (!options.output.weeks.empty() && options.output.weeks.back() > options.time.end_week.value_or(0.0))
+    {
+        warnings.push_back(
+            fmt::format("output.weeks beyond time.end_week = {:g} are left out", *options.time.end_week));
+    }
+    if (options.size.law == LengthLaw::hyperbolic && options.time.clock == GestationalClock::wang)
+    {
+        warnings.emplace_back("size.law = \"hyperbolic\" belongs to time.clock = \"cubic\": with \"wang\" its lengths "
+                              "are those of other weeks");
+    }
     if (!options.contact.enabled)
     {
         warnings.emplace_back("contact is off: folds will pass through each other");

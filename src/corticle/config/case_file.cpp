@@ -8,6 +8,7 @@
 #include "corticle/config/case_text.hpp"
 #include "corticle/config/parameters.hpp"
 #include "corticle/config/toml_document.hpp"
+#include "corticle/config/week_keys.hpp"
 
 #include <fmt/format.h>
 
@@ -55,7 +56,8 @@ InputError unknown_section(const std::string& section, const std::string& where)
     const std::string nearest = nearest_section(section);
     return InputError(fmt::format("unknown section [{}] ({}); {}", printable(section), where,
                                   nearest.empty()
-                                      ? "expected geometry, map, tissue, solver, contact, time, output or expect"
+                                      ? "expected geometry, map, tissue, solver, contact, time, size, output or "
+                                        "expect"
                                       : "did you mean [" + nearest + "]?"));
 }
 
@@ -178,6 +180,11 @@ void CaseReader::settle_alternatives()
     replace("geometry.spacing_mm", "geometry.particles");
     replace("geometry.particles", "geometry.spacing_mm");
     replace("output.count", "output.times");
+    replace("output.count", "output.weeks");
+    replace("output.weeks", "output.times");
+    replace("output.times", "output.weeks");
+    replace("time.start_week", "time.start");
+    replace("time.end_week", "time.end");
 }
 
 void CaseReader::read_overrides(std::span<const std::string> overrides)
@@ -196,19 +203,21 @@ Options CaseReader::finish()
     {
         geometry.particles = default_particles;
     }
-    check_case(options_,
-               [&](std::string_view key)
-               {
-                   const auto found = places_.find(key);
-                   return found == places_.end() ? std::string() : " (" + found->second + ")";
-               });
+    const auto place = [&](std::string_view key)
+    {
+        const auto found = places_.find(key);
+        return found == places_.end() ? std::string() : " (" + found->second + ")";
+    };
+    settle_weeks(options_, place);
+    check_case(options_, place);
     return options_;
 }
 
 /// Keys that a resumed run may not change.
 bool matters_to_a_run(const Parameter& parameter)
 {
-    return parameter.section() != "output" && parameter.key != "time.end";
+    return parameter.section() != "output" && parameter.key != "time.end" && parameter.key != "time.end_week" &&
+           parameter.key != "size.scaled";
 }
 
 bool matters_to_a_body(const Parameter& parameter)

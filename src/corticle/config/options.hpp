@@ -7,6 +7,7 @@
 #include "corticle/geometry/repair.hpp"
 #include "corticle/imaging/options.hpp"
 #include "corticle/tissue/options.hpp"
+#include "corticle/tissue/size.hpp"
 #include "corticle/tlsph/options.hpp"
 
 #include <array>
@@ -57,6 +58,7 @@ struct OutputOptions
 {
     std::int64_t count = 10;     ///< evenly spaced in t, besides t = 0
     std::vector<double> times;   ///< instead of count
+    std::vector<double> weeks;   ///< instead of count, with a clock
     std::string pictures = "on"; ///< "on" | "off"
     std::vector<double>
         picture_times; ///< output times that get pictures (the nearest); empty: about five, evenly spaced
@@ -65,7 +67,11 @@ struct OutputOptions
 
 struct TimeOptions
 {
-    double end = 1.0; ///< growth time t at which the run ends
+    double start = 0.0;                              ///< growth time t of the body as it is given
+    double end = 1.0;                                ///< growth time t at which the run ends
+    GestationalClock clock = GestationalClock::none; ///< with one, the weeks below set start and end
+    std::optional<double> start_week;                ///< gestational age of the body as it is given
+    std::optional<double> end_week;                  ///< gestational age at which the run ends
 };
 
 /// What the user chose.
@@ -78,6 +84,7 @@ struct Options
     ContactOptions contact;   ///< keys under [contact]
     DynamicsOptions dynamics; ///< keys under [solver]
     TimeOptions time;
+    SizeOptions size;
     OutputOptions output;
 };
 

@@ -25,7 +25,31 @@ inline std::vector<std::string> names<BulkRule>()
 {
     return {"per_tissue", "uniform"};
 }
-
+template <>
+inline std::vector<std::string> names<GrowthLaw>()
+{
+    return {"linear", "gompertz"};
+}
+template <>
+inline std::vector<std::string> names<NormalFrame>()
+{
+    return {"reference", "current"};
+}
+template <>
+inline std::vector<std::string> names<GestationalClock>()
+{
+    return {"none", "wang", "cubic"};
+}
+template <>
+inline std::vector<std::string> names<LengthLaw>()
+{
+    return {"none", "hyperbolic", "quadratic"};
+}
+template <>
+inline std::vector<std::string> names<SizedState>()
+{
+    return {"reference", "body"};
+}
 template <>
 inline std::vector<std::string> names<Repair>()
 {
@@ -151,6 +175,14 @@ inline Parameter constant(std::string key, const std::string& value, std::string
     result.get = [value](const Options&) -> Value { return value; };
     result.set = [](Options&, const Value&) {};
     return result;
+}
+
+/// A growth time that weeks replace where there is a clock.
+inline Parameter without_clock(Parameter parameter)
+{
+    parameter.get = [get = parameter.get](const Options& options) -> Value
+    { return options.time.clock == GestationalClock::none ? get(options) : Unsupported{}; };
+    return parameter;
 }
 
 inline Range above(double low, double high = std::numeric_limits<double>::infinity())

@@ -25,6 +25,13 @@ namespace corticle
 namespace
 {
 
+/// How the reference state grows; it stays as it is where the law is for the deformed body.
+ReferenceSize reference_size(const Options& options)
+{
+    const bool grows = options.size.applies_to == SizedState::reference;
+    return {options.time.clock, grows ? options.size.law : LengthLaw::none, options.time.start_week.value_or(0.0)};
+}
+
 /// Depth and normal of every particle from the closest point of the surface; exact on the surface itself.
 void set_depth(const SurfaceTree& tree, Body& body)
 {
@@ -97,7 +104,7 @@ void apply_thesis_choices(const Options& options, Body& body)
     }
 }
 
-/// The cortex at t = 0.
+/// The cortex at the start, and the growth that lies behind it.
 void set_layer(const Options& options, Body& body)
 {
     Tissue& tissue = body.tissue;
@@ -106,8 +113,9 @@ void set_layer(const Options& options, Body& body)
     const std::vector<Vec3>& X = body.cloud.positions;
     if (options.tissue.layer != Layer::binary || options.tissue.lambda == 0.0)
     {
-        tissue.set_layer(0.0);
-        tissue.theta_is_fixed = options.tissue.thickness_rate_mm == 0.0;
+        tissue.size = reference_size(options);
+        tissue.set_layer(options.time.start);
+        tissue.theta_is_fixed = options.tissue.thickness_rate_mm == 0.0 && tissue.size.law == LengthLaw::none;
     }
     else if (options.geometry.shape == "file")
     {
@@ -117,9 +125,10 @@ void set_layer(const Options& options, Body& body)
     {
         tissue.theta = ellipsoid_layer(X, tissue.volume, semi_axes(options.geometry), options.tissue.lambda);
     }
+    tissue.start_growth(options.time.start);
 }
 
-/// Thickness of the cortex at t = 0 where it is thinnest [mm]; where eq. 24 defines it, along the shortest semi-axis.
+/// Smallest thickness of the cortex [mm in the reference state]; where eq. 24 defines it, along the shortest semi-axis.
 double cortex_thickness(const Options& options, const Body& body)
 {
     if (options.tissue.layer == Layer::binary && options.tissue.lambda > 0.0)
@@ -129,7 +138,11 @@ double cortex_thickness(const Options& options, const Body& body)
         return (1.0 - std::sqrt(options.tissue.lambda)) * *std::min_element(axes.begin(), axes.end());
     }
     const std::vector<double>& local = body.tissue.thickness;
-    return local.empty() ? options.tissue.thickness_mm : *std::min_element(local.begin(), local.end());
+    const double thickness =
+        local.empty() ? options.tissue.thickness_mm : *std::min_element(local.begin(), local.end());
+    const auto at = [&](double t)
+    { return (thickness + options.tissue.thickness_rate_mm * t) / reference_size(options).scale(t); };
+    return std::min(at(options.time.start), at(options.time.end));
 }
 
 } // namespace

@@ -37,7 +37,7 @@ Plan plan(const Options& options, int threads)
     }
 
     Simulation simulation(body, options);
-    result.steps = steps_over_first * options.time.end / simulation.step_size();
+    result.steps = steps_over_first * (options.time.end - options.time.start) / simulation.step_size();
     const auto start = std::chrono::steady_clock::now();
     for (int k = 0; k < timed_steps; ++k)
     {

@@ -151,19 +151,25 @@ void remove_run(const fs::path& folder)
 
 std::vector<double> output_times(const Options& options)
 {
+    const double start = options.time.start;
     const double end = options.time.end;
-    std::vector<double> times{0.0};
-    if (options.output.times.empty())
+    std::vector<double> chosen = options.output.times;
+    for (const double week : options.output.weeks)
+    {
+        chosen.push_back(growth_time(options.time.clock, week));
+    }
+    std::vector<double> times{start};
+    if (chosen.empty())
     {
         for (std::int64_t k = 1; k <= options.output.count; ++k)
         {
-            times.push_back(end * static_cast<double>(k) / static_cast<double>(options.output.count));
+            times.push_back(start + (end - start) * static_cast<double>(k) / static_cast<double>(options.output.count));
         }
     }
     else
     {
-        std::copy_if(options.output.times.begin(), options.output.times.end(), std::back_inserter(times),
-                     [&](double t) { return t > same_time && t < end; });
+        std::copy_if(chosen.begin(), chosen.end(), std::back_inserter(times),
+                     [&](double t) { return t > start + same_time && t < end; });
     }
     times.push_back(end);
     std::sort(times.begin(), times.end());
@@ -188,7 +194,8 @@ std::vector<bool> picture_flags(const Options& options, std::span<const double> 
     {
         for (std::int64_t k = 1; k <= default_pictures; ++k)
         {
-            flags[nearest(times, times.back() * static_cast<double>(k) / static_cast<double>(default_pictures))] = true;
+            const double share = static_cast<double>(k) / static_cast<double>(default_pictures);
+            flags[nearest(times, times.front() + (times.back() - times.front()) * share)] = true;
         }
     }
     return flags;

@@ -27,7 +27,7 @@ void remove_run(const std::filesystem::path& folder);
 /// Removes what a killed process left half-written beside the files of a run.
 void remove_leftovers(const std::filesystem::path& folder);
 
-/// Output times of a run: 0, those asked for, and the end; ascending.
+/// Output times of a run: the start, those asked for, and the end; ascending.
 std::vector<double> output_times(const Options& options);
 
 /// Which of the output times get pictures.

@@ -60,6 +60,7 @@ Simulation::Simulation(Body& body, const Options& options)
       travel_limit_(mass_.size(), std::numeric_limits<double>::infinity())
 {
     State start;
+    start.t = options.time.start;
     start.motion.x = body.cloud.positions;
     start.motion.v.resize(mass_.size());
     start.motion.force.resize(mass_.size());

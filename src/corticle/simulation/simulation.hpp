@@ -28,6 +28,7 @@ class Simulation
 
     const State& state() const { return state_; }
     const Body& body() const { return body_; }
+    const Options& options() const { return options_; }
     const InternalResponse& internal() const { return internal_; }
     const ContactResponse& contact() const { return contact_response_; }
     double total_time() const { return total_time_; }

@@ -16,6 +16,20 @@ enum class BulkRule
     uniform
 };
 
+/// Course of growth in t.
+enum class GrowthLaw
+{
+    linear,
+    gompertz
+};
+
+/// Which normal growth is tangential to.
+enum class NormalFrame
+{
+    reference, ///< of the surface before it deformed
+    current    ///< of the deformed layers
+};
+
 /// Tissue parameters (keys under [tissue]).
 struct TissueOptions
 {
@@ -29,7 +43,13 @@ struct TissueOptions
     BulkRule bulk = BulkRule::per_tissue;
     double bulk_modulus = 5.0;           ///< K / mu (per_tissue) or K itself (uniform)
     double alpha_t = 1.8284271247461903; ///< sqrt(8) - 1
-    double barrier_J = 0.3;              ///< elastic volume ratio below which the barrier acts; 0: none
+    double alpha_r = 0.0;                ///< growth of the cortex along the normal
+    double alpha_white = 0.0;            ///< growth of the white matter, in all directions
+    GrowthLaw growth_law = GrowthLaw::linear;
+    double growth_onset = 0.0; ///< [t]
+    double growth_rate = 1.0;  ///< [1/t]
+    NormalFrame normal = NormalFrame::reference;
+    double barrier_J = 0.3; ///< elastic volume ratio below which the barrier acts; 0: none
 };
 
 } // namespace corticle

@@ -11,18 +11,44 @@ namespace corticle
 
 void Tissue::set_layer(double t)
 {
-    const double thickening = options.thickness_rate_mm * t;
+    const double thickened = options.thickness_rate_mm * t;
+    const double scale = size.scale(t);
     theta.resize(depth.size());
     parallel_for(std::ssize(depth),
                  [&](std::int64_t i)
                  {
                      const auto k = static_cast<std::size_t>(i);
-                     const double H = (thickness.empty() ? options.thickness_mm : thickness[k]) + thickening;
+                     const double at_start = thickness.empty() ? options.thickness_mm : thickness[k];
+                     const double H = (at_start + thickened) / scale;
                      theta[k] = options.layer == Layer::smooth ? smooth_layer(depth[k], H) : H - depth[k];
                  });
     if (options.layer == Layer::binary)
     {
         theta = sharp_layer(theta, volume, volume_inside(theta, volume));
+    }
+}
+
+bool Tissue::grows_plainly() const
+{
+    return options.alpha_r == 0.0 && options.alpha_white == 0.0 && options.growth_law == GrowthLaw::linear &&
+           options.growth_onset == 0.0 && options.growth_rate == 1.0 && options.normal == NormalFrame::reference &&
+           growth_onset.empty() && growth_rate.empty() && past.empty();
+}
+
+void Tissue::start_growth(double t)
+{
+    past.clear();
+    std::vector<PastGrowth> grown(theta.size());
+    bool any = false;
+    for (std::size_t i = 0; i < theta.size(); ++i)
+    {
+        const MaterialPoint now = point(i, t);
+        grown[i] = {now.growth, now.radial_growth};
+        any = any || now.growth != 1.0 || now.radial_growth != 1.0;
+    }
+    if (any)
+    {
+        past = std::move(grown);
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include "corticle/tissue/growth.hpp"
 #include "corticle/tissue/options.hpp"
+#include "corticle/tissue/size.hpp"
 
 #include <array>
 #include <optional>
@@ -12,37 +13,96 @@
 namespace corticle
 {
 
-/// What the tissue is at every material point; depends on t only through theta, when the cortex thickens.
-struct Tissue
-{
-    TissueOptions options;
-    std::vector<double> volume;        ///< reference volume [mm³]
-    std::vector<double> depth;         ///< y, reference distance to the surface [mm]
-    std::vector<Vec3> normal;          ///< n, unit, reference
-    std::vector<double> regional_rate; ///< m [-]
-    std::vector<double> thickness;     ///< of the cortex at t = 0 [mm]; empty: options.thickness_mm everywhere
-    std::vector<double> theta;         ///< cortex share at the current t [-]
-    bool theta_is_fixed = true;
-
-    /// theta(y, H(t)), H(t) = H_i + beta t (thesis eqs. 11 and 14).
-    void set_layer(double t);
-};
-
 /// Moduli and growth of one material point at a time t.
 struct MaterialPoint
 {
-    double growth;        ///< g [-]
-    double shear_modulus; ///< [mu_w]
-    double bulk_modulus;  ///< [mu_w]
+    double growth;             ///< g_t, in the plane of the layer [-]
+    double radial_growth;      ///< g_r, along the normal [-]
+    double growth_rate;        ///< dg_t/dt at fixed theta [-]
+    double radial_growth_rate; ///< dg_r/dt at fixed theta [-]
+    double shear_modulus;      ///< [mu_w]
+    double bulk_modulus;       ///< [mu_w]
 };
 
-/// mu = theta mu_c + (1 - theta) mu_w; K = ratio mu (per tissue) or one constant (uniform).
-inline MaterialPoint material_point(const TissueOptions& options, double theta, double regional_rate, double t)
+/// mu = theta mu_c + (1 - theta) mu_w; K = ratio mu (per tissue) or one constant (uniform);
+/// g_t = 1 + (alpha_t theta + alpha_white (1 - theta)) m f, g_r the same with alpha_r.
+/// @param course  f, equal to t for the linear law; rates are per f
+inline MaterialPoint material_point(const TissueOptions& options, double theta, double regional_rate, double course)
 {
     const double mu = theta * options.mu_cortex + (1.0 - theta) * options.mu_white;
-    return {growth_ratio(options.alpha_t, theta, regional_rate, t), mu,
+    const double white = options.alpha_white * (1.0 - theta);
+    const double tangential = (options.alpha_t * theta + white) * regional_rate;
+    const double radial = (options.alpha_r * theta + white) * regional_rate;
+    return {1.0 + tangential * course,
+            1.0 + radial * course,
+            tangential,
+            radial,
+            mu,
             options.bulk == BulkRule::per_tissue ? options.bulk_modulus * mu : options.bulk_modulus};
 }
+
+/// Growth that the body as imaged has behind it.
+struct PastGrowth
+{
+    double tangential; ///< g_t at the start [-]
+    double radial;     ///< g_r at the start [-]
+};
+
+/// What the tissue is at every material point; depends on t only through theta, when the cortex thickens.
+/// Arrays that are empty cost nothing: the one value of the options holds everywhere.
+struct Tissue
+{
+    TissueOptions options;
+    ReferenceSize size;                  ///< thins the cortex of a growing reference state
+    std::vector<double> volume;          ///< reference volume [mm³]
+    std::vector<double> depth;           ///< y, reference distance to the surface [mm]
+    std::vector<Vec3> normal;            ///< n, unit, reference
+    std::vector<double> regional_rate;   ///< m [-]
+    std::vector<double> growth_onset;    ///< [t], or empty
+    std::vector<double> growth_rate;     ///< [1/t], or empty
+    std::vector<double> thickness;       ///< H_i of the closest surface point [mm], or empty
+    std::vector<double> theta;           ///< cortex share at the current t [-]
+    std::vector<PastGrowth> past;        ///< or empty: none
+    bool theta_is_fixed = true;
+
+    /// theta(y, H(t)), H(t) = (H_i + beta t) / s(t), with s the scale of the reference state (thesis eqs. 11 and 14;
+    /// s = 1 without a length law).
+    void set_layer(double t);
+
+    /// Makes the body as it is the stress-free one at t: growth is then relative to the growth at t, G(t') G(t)^-1, so
+    /// that a body imaged at t > 0 starts at rest. Call after all arrays and theta are set.
+    void start_growth(double t);
+
+    /// Whether growth is g = 1 + alpha_t theta m t in the reference planes and nothing else: what point() and
+    /// growth_normal() then give needs no more than material_point and `normal`.
+    bool grows_plainly() const;
+
+    /// Moduli and growth of particle i at t.
+    MaterialPoint point(std::size_t i, double t) const
+    {
+        const GrowthCourse course{options.growth_law, growth_onset.empty() ? options.growth_onset : growth_onset[i],
+                                  growth_rate.empty() ? options.growth_rate : growth_rate[i]};
+        MaterialPoint point = material_point(options, theta[i], regional_rate[i], course.value(t));
+        const double slope = course.slope(t);
+        point.growth_rate *= slope;
+        point.radial_growth_rate *= slope;
+        if (!past.empty())
+        {
+            point.growth /= past[i].tangential;
+            point.growth_rate /= past[i].tangential;
+            point.radial_growth /= past[i].radial;
+            point.radial_growth_rate /= past[i].radial;
+        }
+        return point;
+    }
+
+    /// The unit normal that growth of particle i is tangential to, in the reference frame.
+    /// @param F  deformation gradient of the particle
+    Vec3 growth_normal(std::size_t i, const Mat3& F) const
+    {
+        return options.normal == NormalFrame::reference ? normal[i] : current_normal(F, normal[i]);
+    }
+};
 
 /// Binary cortex of an ellipsoid (thesis eq. 24), sum_k ((X_k - c_k) / r_k)² >= lambda, with the volume it has there.
 /// @param volume     [mm³], one per particle

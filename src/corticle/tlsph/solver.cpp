@@ -40,7 +40,8 @@ CORTICLE_INLINE double largest_compression(const Mat3& cofactor_F, double J)
 }
 
 /// Stress, energies and the force record of one particle. Writes to `own_force` the part of its force that its own
-/// state makes.
+/// state makes. `plain`: growth is that of Tissue::grows_plainly, which the compiler then gets to see.
+template <bool plain>
 CORTICLE_INLINE void respond(const PassInput& in, std::int64_t signed_i, ForceRecord& record, Vec3& own_force,
                              InternalResponse& sum)
 {
@@ -62,30 +63,41 @@ CORTICLE_INLINE void respond(const PassInput& in, std::int64_t signed_i, ForceRe
         return;
     }
 
-    const MaterialPoint point = material_point(tissue.options, tissue.theta[i], tissue.regional_rate[i], in.t);
+    const MaterialPoint point =
+        plain ? material_point(tissue.options, tissue.theta[i], tissue.regional_rate[i], in.t) : tissue.point(i, in.t);
     const double g = point.growth;
-    const Mat3 inverse_G = inverse_growth_tensor(g, tissue.normal[i]);
+    const double g_r = plain ? 1.0 : point.radial_growth;
+    const Vec3 n = plain ? tissue.normal[i] : tissue.growth_normal(i, F);
+    const Mat3 inverse_G = inverse_growth_tensor(g, n, g_r);
     const Mat3 F_e = F * inverse_G;
     const NeoHookean law{point.shear_modulus, point.bulk_modulus, tissue.options.barrier_J};
     const ElasticResponse elastic = law.respond(F_e);
     const double volume = in.particles.volume[i];
-    const double zeta = in.particles.options.zeta * point.shear_modulus * g * g;
+    // Growth stiffens the tangent pulled back to the reference by det G / (smallest growth)²: g_t² where g_r = 1.
+    const bool flat = plain || g_r <= g;
+    const double ratio = flat ? g / g_r : 1.0;
+    const double zeta = in.particles.options.zeta * point.shear_modulus * ratio * ratio * g_r;
 
     const double density = elastic.deviatoric_energy + elastic.volumetric_energy;
     const double zero_mode = 0.5 * zeta * (sums.squared_lengths - contract(sums.moment, F));
-    sum.elastic_energy += volume * g * g * density;
+    sum.elastic_energy += volume * g * g * g_r * density;
     sum.zero_mode_energy += zero_mode;
-    // dPsi/dg at fixed F, times dg/dt; the zero-energy term scales with g².
-    const Vec3 n = tissue.normal[i];
-    const double tangential_work = contract(elastic.stress, F_e) - dot(elastic.stress * n, F_e * n);
-    sum.growth_power += tissue.options.alpha_t * tissue.theta[i] * tissue.regional_rate[i] *
-                        (volume * (2.0 * g * density - g * tangential_work) + 2.0 / g * zero_mode);
+    // dPsi/dg at fixed F and n, times dg/dt; the zero-energy term follows zeta.
+    const double radial_work = dot(elastic.stress * n, F_e * n);
+    const double tangential_work = contract(elastic.stress, F_e) - radial_work;
+    sum.growth_power += point.growth_rate *
+                        (volume * g_r * (2.0 * g * density - g * tangential_work) + (flat ? 2.0 / g : 0.0) * zero_mode);
+    if (!plain)
+    {
+        sum.growth_power += point.radial_growth_rate *
+                            (volume * g * g * (density - radial_work) + (flat ? -1.0 : 1.0) / g_r * zero_mode);
+    }
     sum.stiffest_rate =
-        std::max(sum.stiffest_rate, g * std::sqrt(point.bulk_modulus + 4.0 / 3.0 * point.shear_modulus) *
+        std::max(sum.stiffest_rate, ratio * std::sqrt(g_r * (point.bulk_modulus + 4.0 / 3.0 * point.shear_modulus)) *
                                         largest_compression(cofactor_F, J));
-    sum.barrier_count += J < tissue.options.barrier_J * g * g ? 1 : 0;
+    sum.barrier_count += J < tissue.options.barrier_J * g * g * g_r ? 1 : 0;
 
-    const Mat3 P = (g * g) * (elastic.stress * inverse_G);
+    const Mat3 P = (g * g * g_r) * (elastic.stress * inverse_G);
     record.M = volume * (P * in.particles.correction[i]) - zeta * F;
     record.x = in.x[i];
     record.x.lane = zeta;
@@ -97,7 +109,16 @@ CORTICLE_EVERY_ISA void deformation_block(const PassInput& in, std::int64_t begi
 {
     for (std::int64_t i = begin; i < end; ++i)
     {
-        respond(in, i, records[i], forces[i], sum);
+        respond<true>(in, i, records[i], forces[i], sum);
+    }
+}
+
+CORTICLE_EVERY_ISA void general_deformation_block(const PassInput& in, std::int64_t begin, std::int64_t end,
+                                                  ForceRecord* records, Vec3* forces, InternalResponse& sum)
+{
+    for (std::int64_t i = begin; i < end; ++i)
+    {
+        respond<false>(in, i, records[i], forces[i], sum);
     }
 }
 
@@ -135,6 +156,7 @@ TlsphSolver::TlsphSolver(const Particles& particles, const Tissue& tissue)
 InternalResponse TlsphSolver::evaluate(std::span<const Vec3> x, double t, std::span<Vec3> forces)
 {
     const PassInput in{particles_, tissue_, t, x.data()};
+    const auto block = tissue_.grows_plainly() ? deformation_block : general_deformation_block;
     InternalResponse initial;
     initial.smallest_J = std::numeric_limits<double>::infinity();
     const auto count = static_cast<std::int64_t>(x.size());
@@ -143,7 +165,7 @@ InternalResponse TlsphSolver::evaluate(std::span<const Vec3> x, double t, std::s
         [&](std::int64_t begin, std::int64_t end)
         {
             InternalResponse part = initial;
-            deformation_block(in, begin, end, records_.data(), forces.data(), part);
+            block(in, begin, end, records_.data(), forces.data(), part);
             return part;
         },
         join);

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/tissue/size.hpp"
+
+namespace corticle
+{
+
+double brain_length(LengthLaw law, GestationalClock clock, double week)
+{
+    const double t = growth_time(clock, week);
+    return law == LengthLaw::hyperbolic ? 59.0 / (1.0 - 0.55 * t) : (-0.067 * week + 7.16) * week - 66.05;
+}
+
+double ReferenceSize::scale(double t) const
+{
+    if (law == LengthLaw::none)
+    {
+        return 1.0;
+    }
+    return brain_length(law, clock, gestational_week(clock, t)) / brain_length(law, clock, start_week);
+}
+
+} // namespace corticle
