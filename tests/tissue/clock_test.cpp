@@ -65,6 +65,19 @@ TEST(Clock, IncreasesAndItsInverseUndoesIt)
     }
 }
 
+TEST(Clock, ItsRateIsTheSlope)
+{
+    for (const GestationalClock clock : clocks)
+    {
+        for (double week = 22.5; week < 44.0; week += 0.5)
+        {
+            const double h = 1e-4;
+            const double slope = (growth_time(clock, week + h) - growth_time(clock, week - h)) / (2.0 * h);
+            EXPECT_NEAR(growth_time_rate(clock, week), slope, 1e-9) << week;
+        }
+    }
+}
+
 TEST(Clock, BeyondItsRangeIsAnErrorThatSaysTheRange)
 {
     const auto message = [](auto&& call) -> std::string

@@ -60,6 +60,23 @@ TEST(Size, ScaleIsOneAtTheStart)
     EXPECT_NEAR(size.scale(growth_time(size.clock, 38.0)), ratio, 1e-12);
 }
 
+TEST(Size, ItsRateIsTheSlope)
+{
+    EXPECT_EQ(ReferenceSize{}.scale_rate(0.7), 0.0);
+    for (const GestationalClock clock : {GestationalClock::wang, GestationalClock::cubic})
+    {
+        for (const LengthLaw law : {LengthLaw::hyperbolic, LengthLaw::quadratic})
+        {
+            const ReferenceSize size{clock, law, 23.0};
+            for (double t = 0.1; t < 0.85; t += 0.05)
+            {
+                const double h = 1e-5;
+                EXPECT_NEAR(size.scale_rate(t), (size.scale(t + h) - size.scale(t - h)) / (2.0 * h), 1e-7) << t;
+            }
+        }
+    }
+}
+
 TEST(Size, AGrowingReferenceStateThinsTheCortex)
 {
     Tissue tissue;

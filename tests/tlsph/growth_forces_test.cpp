@@ -144,6 +144,38 @@ TEST(TlsphGrowthExactness, IsotropicGrowthOfTheWholeBodyIsFreeOfForceAndStress)
     EXPECT_LT(largest_force(g), 1e-11 * elsewhere);
 }
 
+TEST(TlsphGrowthExactness, PowerIncludesWhatAMovingLayerDoes)
+{
+    Body body = test::small_sphere();
+    Tissue& tissue = body.tissue;
+    tissue.options.thickness_rate_mm = 0.3;
+    tissue.options.mu_cortex = 0.6;
+    tissue.options.alpha_r = 0.2;
+    tissue.size = {GestationalClock::wang, LengthLaw::quadratic, 23.0};
+    tissue.set_layer(0.2);
+    tissue.start_growth(0.2);
+    std::vector<Vec3> forces(body.cloud.positions.size());
+    const std::vector<Vec3> x = test::perturbed(body.cloud.positions, 0.05 * body.cloud.spacing);
+    TlsphSolver solver(body.particles, tissue);
+    const auto response = [&](double t)
+    {
+        tissue.set_layer(t);
+        return solver.evaluate(x, t, forces);
+    };
+    const auto energy = [&](double t) { return response(t).elastic_energy + response(t).zero_mode_energy; };
+    const double h = 1e-5;
+    EXPECT_NEAR((energy(0.5 + h) - energy(0.5 - h)) / (2.0 * h) / response(0.5).growth_power, 1.0, 1e-6);
+    for (std::size_t i = 0; i < x.size(); i += 97)
+    {
+        tissue.set_layer(0.5 + h);
+        const double above = tissue.theta[i];
+        tissue.set_layer(0.5 - h);
+        const double below = tissue.theta[i];
+        tissue.set_layer(0.5);
+        EXPECT_NEAR(tissue.theta_rate[i], (above - below) / (2.0 * h), 1e-7);
+    }
+}
+
 TEST(TlsphGrowthExactness, TheGeneralLawWithPlainNumbersIsThePlainOne)
 {
     Body body = test::small_sphere();

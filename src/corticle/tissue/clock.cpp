@@ -68,6 +68,13 @@ double growth_time(GestationalClock clock, double week)
     return time_at(clock, week);
 }
 
+double growth_time_rate(GestationalClock clock, double week)
+{
+    const double t = growth_time(clock, week);
+    return clock == GestationalClock::wang ? 0.134 * std::exp(-0.134 * (week - 29.433)) * t
+                                           : (3.0 * 6.926e-5 * week - 2.0 * 0.00665) * week + 0.250;
+}
+
 double gestational_week(GestationalClock clock, double t)
 {
     require_clock(clock);

@@ -26,6 +26,9 @@ WeekRange week_range(GestationalClock clock);
 /// @throws InputError without a clock and beyond its range
 double growth_time(GestationalClock clock, double week);
 
+/// dt/dw at a gestational age [1/week]. @throws InputError as growth_time
+double growth_time_rate(GestationalClock clock, double week);
+
 /// Gestational age [weeks] at t, the inverse of growth_time, by bisection down to neighbouring numbers.
 /// @throws InputError without a clock and for a t that the clock does not reach in its range
 double gestational_week(GestationalClock clock, double t);

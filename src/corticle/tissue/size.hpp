@@ -40,8 +40,10 @@ struct ReferenceSize
     LengthLaw law = LengthLaw::none;
     double start_week = 0.0;
 
-    /// L(week at t) / L(start_week) [-]; 1 without a law.
+    /// s = L(week at t) / L(start_week) [-]; 1 without a law.
     double scale(double t) const;
+    /// ds/dt
+    double scale_rate(double t) const;
 };
 
 } // namespace corticle

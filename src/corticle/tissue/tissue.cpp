@@ -13,7 +13,10 @@ void Tissue::set_layer(double t)
 {
     const double thickened = options.thickness_rate_mm * t;
     const double scale = size.scale(t);
+    const double scale_rate = size.scale_rate(t);
+    const bool moves = options.layer == Layer::smooth && (options.thickness_rate_mm != 0.0 || scale_rate != 0.0);
     theta.resize(depth.size());
+    theta_rate.resize(moves ? depth.size() : 0);
     parallel_for(std::ssize(depth),
                  [&](std::int64_t i)
                  {
@@ -21,6 +24,11 @@ void Tissue::set_layer(double t)
                      const double at_start = thickness.empty() ? options.thickness_mm : thickness[k];
                      const double H = (at_start + thickened) / scale;
                      theta[k] = options.layer == Layer::smooth ? smooth_layer(depth[k], H) : H - depth[k];
+                     if (moves)
+                     {
+                         const double H_rate = (options.thickness_rate_mm - H * scale_rate) / scale;
+                         theta_rate[k] = theta[k] * (1.0 - theta[k]) * 10.0 * depth[k] / (H * H) * H_rate;
+                     }
                  });
     if (options.layer == Layer::binary)
     {
@@ -32,7 +40,7 @@ bool Tissue::grows_plainly() const
 {
     return options.alpha_r == 0.0 && options.alpha_white == 0.0 && options.growth_law == GrowthLaw::linear &&
            options.growth_onset == 0.0 && options.growth_rate == 1.0 && options.normal == NormalFrame::reference &&
-           growth_onset.empty() && growth_rate.empty() && past.empty();
+           growth_onset.empty() && growth_rate.empty() && theta_rate.empty() && past.empty();
 }
 
 void Tissue::start_growth(double t)

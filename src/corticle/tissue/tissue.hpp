@@ -18,15 +18,17 @@ struct MaterialPoint
 {
     double growth;             ///< g_t, in the plane of the layer [-]
     double radial_growth;      ///< g_r, along the normal [-]
-    double growth_rate;        ///< dg_t/dt at fixed theta [-]
-    double radial_growth_rate; ///< dg_r/dt at fixed theta [-]
+    double growth_rate;        ///< dg_t/dt [-]
+    double radial_growth_rate; ///< dg_r/dt [-]
     double shear_modulus;      ///< [mu_w]
     double bulk_modulus;       ///< [mu_w]
+    double shear_rate = 0.0;   ///< dmu/dt where the layer moves [mu_w]
+    double bulk_rate = 0.0;    ///< dK/dt where the layer moves [mu_w]
 };
 
 /// mu = theta mu_c + (1 - theta) mu_w; K = ratio mu (per tissue) or one constant (uniform);
 /// g_t = 1 + (alpha_t theta + alpha_white (1 - theta)) m f, g_r the same with alpha_r.
-/// @param course  f, equal to t for the linear law; rates are per f
+/// @param course  f, equal to t for the linear law; rates are per f, theta fixed
 inline MaterialPoint material_point(const TissueOptions& options, double theta, double regional_rate, double course)
 {
     const double mu = theta * options.mu_cortex + (1.0 - theta) * options.mu_white;
@@ -62,11 +64,12 @@ struct Tissue
     std::vector<double> growth_rate;     ///< [1/t], or empty
     std::vector<double> thickness;       ///< H_i of the closest surface point [mm], or empty
     std::vector<double> theta;           ///< cortex share at the current t [-]
+    std::vector<double> theta_rate;      ///< dtheta/dt of a smooth layer that moves, or empty
     std::vector<PastGrowth> past;        ///< or empty: none
     bool theta_is_fixed = true;
 
     /// theta(y, H(t)), H(t) = (H_i + beta t) / s(t), with s the scale of the reference state (thesis eqs. 11 and 14;
-    /// s = 1 without a length law).
+    /// s = 1 without a length law), and its rate where H moves a smooth layer.
     void set_layer(double t);
 
     /// Makes the body as it is the stress-free one at t: growth is then relative to the growth at t, G(t') G(t)^-1, so
@@ -86,6 +89,14 @@ struct Tissue
         const double slope = course.slope(t);
         point.growth_rate *= slope;
         point.radial_growth_rate *= slope;
+        if (!theta_rate.empty())
+        {
+            const double per_theta = theta_rate[i] * regional_rate[i] * course.value(t);
+            point.growth_rate += per_theta * (options.alpha_t - options.alpha_white);
+            point.radial_growth_rate += per_theta * (options.alpha_r - options.alpha_white);
+            point.shear_rate = theta_rate[i] * (options.mu_cortex - options.mu_white);
+            point.bulk_rate = options.bulk == BulkRule::per_tissue ? options.bulk_modulus * point.shear_rate : 0.0;
+        }
         if (!past.empty())
         {
             point.growth /= past[i].tangential;

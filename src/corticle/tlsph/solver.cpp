@@ -91,6 +91,9 @@ CORTICLE_INLINE void respond(const PassInput& in, std::int64_t signed_i, ForceRe
     {
         sum.growth_power += point.radial_growth_rate *
                             (volume * g * g * (density - radial_work) + (flat ? -1.0 : 1.0) / g_r * zero_mode);
+        sum.growth_power +=
+            point.shear_rate / point.shear_modulus * (volume * g * g * g_r * elastic.deviatoric_energy + zero_mode);
+        sum.growth_power += point.bulk_rate / point.bulk_modulus * volume * g * g * g_r * elastic.volumetric_energy;
     }
     sum.stiffest_rate =
         std::max(sum.stiffest_rate, ratio * std::sqrt(g_r * (point.bulk_modulus + 4.0 / 3.0 * point.shear_modulus)) *
