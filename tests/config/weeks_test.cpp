@@ -130,6 +130,15 @@ TEST(Weeks, TheLengthLawOfTheOtherClockWarns)
                     .empty());
 }
 
+TEST(Weeks, TheCortexThinsOnlyWithAScaledReferenceState)
+{
+    EXPECT_TRUE(parse(weeks_case, {"size.law=quadratic", "size.thin_cortex=true"}).size.thin_cortex);
+    EXPECT_EQ(refusal(weeks_case, {"size.thin_cortex=true"}),
+              "size.thin_cortex (--set size.thin_cortex=true) is true: expected a size.law with size.applies_to = "
+              "\"reference\"");
+    EXPECT_NE(refusal(weeks_case, {"size.thin_cortex=true", "size.law=quadratic", "size.applies_to=body"}), "");
+}
+
 TEST(GrowthKeys, HaveRanges)
 {
     EXPECT_NE(refusal("[tissue]\nalpha_r = -1\n").find("tissue.alpha_r is out of range (case.toml:2)"),

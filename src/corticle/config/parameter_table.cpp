@@ -194,6 +194,10 @@ std::vector<Parameter> other_parameters()
         parameter("size.applies_to", "", {},
                   "Whether the law scales the reference state or sets the length of the deformed body.",
                   CORTICLE_MEMBER(size.applies_to)),
+        parameter("size.thin_cortex", "", {},
+                  "Whether the cortex keeps its thickness in mm while the reference state is scaled, so that it thins "
+                  "in the coordinates of the run.",
+                  CORTICLE_MEMBER(size.thin_cortex)),
         parameter("size.scaled", "", {}, "Whether outputs are in mm at their week, or in those of the start.",
                   CORTICLE_MEMBER(size.scaled)),
         parameter("output.count", "", between(1.0, 100000.0), "Output times evenly spaced in t, besides t = 0.",

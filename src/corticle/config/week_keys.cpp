@@ -17,6 +17,17 @@ namespace
 
 using Place = std::function<std::string(std::string_view)>;
 
+/// The cortex can thin only where it is known beforehand how the reference state grows.
+void check_thinning(const SizeOptions& size, const Place& place)
+{
+    if (size.thin_cortex && (size.law == LengthLaw::none || size.applies_to != SizedState::reference))
+    {
+        throw InputError(fmt::format("size.thin_cortex{} is true: expected a size.law{} with size.applies_to{} = "
+                                     "\"reference\"",
+                                     place("size.thin_cortex"), place("size.law"), place("size.applies_to")));
+    }
+}
+
 /// Without a clock no key may speak of weeks.
 void refuse_weeks(const Options& options, const Place& place)
 {
@@ -82,6 +93,7 @@ double week_in_range(const Options& options, std::string_view key, const std::op
 void settle_weeks(Options& options, const Place& place)
 {
     TimeOptions& time = options.time;
+    check_thinning(options.size, place);
     if (time.clock == GestationalClock::none)
     {
         refuse_weeks(options, place);

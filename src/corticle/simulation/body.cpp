@@ -25,11 +25,11 @@ namespace corticle
 namespace
 {
 
-/// How the reference state grows; it stays as it is where the law is for the deformed body.
-ReferenceSize reference_size(const Options& options)
+/// The size by which the cortex thins, if it does.
+ReferenceSize thinning_size(const Options& options)
 {
-    const bool grows = options.size.applies_to == SizedState::reference;
-    return {options.time.clock, grows ? options.size.law : LengthLaw::none, options.time.start_week.value_or(0.0)};
+    return {options.time.clock, options.size.thin_cortex ? options.size.law : LengthLaw::none,
+            options.time.start_week.value_or(0.0)};
 }
 
 /// Depth and normal of every particle from the closest point of the surface; exact on the surface itself.
@@ -113,7 +113,7 @@ void set_layer(const Options& options, Body& body)
     const std::vector<Vec3>& X = body.cloud.positions;
     if (options.tissue.layer != Layer::binary || options.tissue.lambda == 0.0)
     {
-        tissue.size = reference_size(options);
+        tissue.size = thinning_size(options);
         tissue.set_layer(options.time.start);
         tissue.theta_is_fixed = options.tissue.thickness_rate_mm == 0.0 && tissue.size.law == LengthLaw::none;
     }
@@ -141,7 +141,7 @@ double cortex_thickness(const Options& options, const Body& body)
     const double thickness =
         local.empty() ? options.tissue.thickness_mm : *std::min_element(local.begin(), local.end());
     const auto at = [&](double t)
-    { return (thickness + options.tissue.thickness_rate_mm * t) / reference_size(options).scale(t); };
+    { return (thickness + options.tissue.thickness_rate_mm * t) / thinning_size(options).scale(t); };
     return std::min(at(options.time.start), at(options.time.end));
 }
 

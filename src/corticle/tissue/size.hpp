@@ -26,7 +26,8 @@ struct SizeOptions
 {
     LengthLaw law = LengthLaw::none;
     SizedState applies_to = SizedState::reference;
-    bool scaled = true; ///< whether outputs are in mm at their week, or in those of the start
+    bool thin_cortex = false; ///< whether the cortex keeps its mm while the reference state grows: H / s
+    bool scaled = true;       ///< whether outputs are in mm at their week, or in those of the start
 };
 
 /// L [mm] at a gestational age; t of the hyperbolic law is that of the clock.

@@ -55,7 +55,7 @@ struct PastGrowth
 struct Tissue
 {
     TissueOptions options;
-    ReferenceSize size;                  ///< thins the cortex of a growing reference state
+    ReferenceSize size;                  ///< s, by which the cortex thins; without a law it does not
     std::vector<double> volume;          ///< reference volume [mm³]
     std::vector<double> depth;           ///< y, reference distance to the surface [mm]
     std::vector<Vec3> normal;            ///< n, unit, reference
