@@ -15,7 +15,16 @@ TEST(BodyFile, ReadsBackToTheSameBits)
 {
     const TemporaryFolder folder;
     const Options options = test::sphere_options(2500);
-    const Body& written = test::small_sphere();
+    Body written = test::small_sphere();
+    for (std::size_t i = 0; i < written.cloud.positions.size(); ++i)
+    {
+        const double x = written.cloud.positions[i].x;
+        written.tissue.regional_rate[i] = 1.0 + 0.01 * x;
+        written.tissue.growth_onset.push_back(0.02 * x);
+        written.tissue.growth_rate.push_back(2.0 + 0.03 * x);
+        written.tissue.thickness.push_back(2.0 + 0.04 * x);
+    }
+    connect_body(options, written);
     write_body(folder / "body.h5", written, options);
     Body body = read_body(folder / "body.h5", options);
     connect_body(options, body);
@@ -30,6 +39,9 @@ TEST(BodyFile, ReadsBackToTheSameBits)
     EXPECT_EQ(body.tissue.normal, written.tissue.normal);
     EXPECT_EQ(body.tissue.theta, written.tissue.theta);
     EXPECT_EQ(body.tissue.regional_rate, written.tissue.regional_rate);
+    EXPECT_EQ(body.tissue.growth_onset, written.tissue.growth_onset);
+    EXPECT_EQ(body.tissue.growth_rate, written.tissue.growth_rate);
+    EXPECT_EQ(body.tissue.thickness, written.tissue.thickness);
     EXPECT_EQ(body.particles.pairs.index, written.particles.pairs.index);
     EXPECT_EQ(body.particles.weight, written.particles.weight);
 }

@@ -101,6 +101,26 @@ TEST_F(BodyMapsTest, RegionsTakeTheirFactorFromTheTable)
     EXPECT_EQ(read(options).growth, (std::vector<double>{read(options).growth[0], 3.0, 3.0, 0.5}));
 }
 
+TEST_F(BodyMapsTest, RegionsMayHaveTheirOwnOnsetAndRate)
+{
+    MapOptions options;
+    options.region_file = vertex_map("regions.csv", [](const Vec3& X) { return X.x > 0.0 ? 2 : 1; });
+    options.region_table = write("table.csv", "label,growth\n1,0.5\n2,3\n");
+    EXPECT_TRUE(read(options).onset.empty());
+    EXPECT_TRUE(read(options).rate.empty());
+    options.region_table = write("late.csv", "label,onset,growth\n1,0.25,1\n2,-0.5,1\n");
+    BodyMaps maps = read(options);
+    EXPECT_EQ(maps.onset, (std::vector<double>{-0.5, 0.25, maps.onset[2], -0.5}));
+    EXPECT_TRUE(maps.rate.empty());
+    options.region_table = write("fast.csv", "label,growth,rate\n1,1,2\n2,1,0.5\n");
+    maps = read(options);
+    EXPECT_EQ(maps.rate, (std::vector<double>{0.5, 2.0, maps.rate[2], 0.5}));
+    options.region_table = write("still.csv", "label,growth,rate\n1,1,2\n2,1,0\n");
+    EXPECT_NE(refusal(options).find("rate of label 2 is 0"), std::string::npos) << refusal(options);
+    options.region_table = write("never.csv", "label,growth,onset\n1,1,2\n2,1,0\n");
+    EXPECT_NE(refusal(options).find("onset of label 1 is 2"), std::string::npos) << refusal(options);
+}
+
 TEST_F(BodyMapsTest, WhatIsStillDoesNotGrow)
 {
     MapOptions options;

@@ -100,7 +100,9 @@ std::vector<Parameter> map_parameters()
              CORTICLE_MEMBER(map.region_file)),
         parameter("map.region_array", "", {}, "Which array of that file; empty: its first.",
                   CORTICLE_MEMBER(map.region_array)),
-        path("map.region_table", "CSV with columns label and growth: the factor of alpha_t in each region.",
+        path("map.region_table",
+             "CSV with columns label and growth, the factor of alpha_t in each region; with columns onset and rate "
+             "these are by region too.",
              CORTICLE_MEMBER(map.region_table)),
     };
 }

@@ -196,6 +196,8 @@ Body arrange_body(const Options& options)
     apply_thesis_choices(options, body);
     BodyMaps maps = read_body_maps(options.map, source.map_surface, body.cloud.positions);
     body.tissue.regional_rate = std::move(maps.growth);
+    body.tissue.growth_onset = std::move(maps.onset);
+    body.tissue.growth_rate = std::move(maps.rate);
     body.tissue.thickness = std::move(maps.thickness);
     return body;
 }

@@ -66,6 +66,8 @@ void write_body(const std::filesystem::path& file, const Body& body, const Optio
     image.scalars["body.volume"] = body.cloud.volumes;
     image.scalars["body.depth"] = body.tissue.depth;
     image.scalars["body.regional_rate"] = body.tissue.regional_rate;
+    image.scalars["body.growth_onset"] = body.tissue.growth_onset;
+    image.scalars["body.growth_rate"] = body.tissue.growth_rate;
     image.scalars["body.thickness"] = body.tissue.thickness;
     image.scalars["body.spacing"] = {body.cloud.spacing};
     image.scalars["body.remesh"] = {body.report.remesh.area_change, body.report.remesh.volume_change,
@@ -93,6 +95,8 @@ Body read_body(const std::filesystem::path& file, const Options& options)
     body.tissue.normal = vectors("normal");
     body.tissue.depth = scalars("depth");
     body.tissue.regional_rate = scalars("regional_rate");
+    body.tissue.growth_onset = scalars("growth_onset");
+    body.tissue.growth_rate = scalars("growth_rate");
     body.tissue.thickness = scalars("thickness");
     const std::vector<double> remesh = scalars("remesh");
     body.report.remesh = {remesh.at(0), remesh.at(1), remesh.at(2)};

@@ -157,17 +157,29 @@ void require_above(const MapFile& map, std::span<const double> values, double lo
     }
 }
 
-/// Multiplies the growth by the factor of the region each point is in.
-void apply_regions(const MapOptions& options, std::span<const double> labels, std::span<double> growth)
+/// A column of the region table and what its numbers may be.
+struct RegionColumn
 {
-    const LabelTable table = read_label_table(options.region_table);
-    const std::int64_t column = table.column("growth");
-    if (column < 0)
+    const char* name;
+    double least;
+    double most;
+    bool is_needed;
+};
+
+/// The number of the region that each point is in; empty where the table has no such column.
+std::vector<double> by_region(const MapOptions& options, const LabelTable& table, std::span<const double> labels,
+                              const RegionColumn& wanted)
+{
+    const std::int64_t column = table.column(wanted.name);
+    if (column < 0 && wanted.is_needed)
     {
-        throw InputError(fmt::format("map.region_table {}: has no column growth; expected columns label and growth",
-                                     options.region_table));
+        throw InputError(fmt::format("map.region_table {}: has no column {}; expected columns label and growth, and "
+                                     "perhaps onset and rate",
+                                     options.region_table, wanted.name));
     }
-    for (std::size_t i = 0; i < growth.size(); ++i)
+    std::vector<double> values;
+    values.reserve(column < 0 ? 0 : labels.size());
+    for (std::size_t i = 0; column >= 0 && i < labels.size(); ++i)
     {
         const auto found = table.rows.find(static_cast<std::int64_t>(labels[i]));
         if (found == table.rows.end())
@@ -177,14 +189,28 @@ void apply_regions(const MapOptions& options, std::span<const double> labels, st
                             "expected one for each",
                             options.region_table, labels[i], options.region_file));
         }
-        const double factor = found->second[static_cast<std::size_t>(column)];
-        if (factor < 0.0)
+        values.push_back(found->second[static_cast<std::size_t>(column)]);
+        if (!(values.back() >= wanted.least && values.back() <= wanted.most))
         {
-            throw InputError(fmt::format("map.region_table {}: growth of label {} is {}; expected at least 0",
-                                         options.region_table, found->first, factor));
+            throw InputError(fmt::format("map.region_table {}: {} of label {} is {}; expected {} to {}",
+                                         options.region_table, wanted.name, found->first, values.back(), wanted.least,
+                                         wanted.most));
         }
-        growth[i] *= factor;
     }
+    return values;
+}
+
+/// Growth, onset and rate of the region each point is in.
+void apply_regions(const MapOptions& options, std::span<const double> labels, BodyMaps& maps)
+{
+    const LabelTable table = read_label_table(options.region_table);
+    const std::vector<double> factors = by_region(options, table, labels, {"growth", 0.0, 1000.0, true});
+    for (std::size_t i = 0; i < factors.size(); ++i)
+    {
+        maps.growth[i] *= factors[i];
+    }
+    maps.onset = by_region(options, table, labels, {"onset", -10.0, 1.0, false});
+    maps.rate = by_region(options, table, labels, {"rate", 1e-6, 100.0, false});
 }
 
 } // namespace
@@ -202,8 +228,7 @@ BodyMaps read_body_maps(const MapOptions& options, const TriangleMesh& surface, 
     }
     if (!options.region_file.empty())
     {
-        apply_regions(options, sampler.labels({"map.region_file", options.region_file, options.region_array}),
-                      maps.growth);
+        apply_regions(options, sampler.labels({"map.region_file", options.region_file, options.region_array}), maps);
     }
     if (!options.still_file.empty())
     {

@@ -14,6 +14,8 @@ namespace corticle
 struct BodyMaps
 {
     std::vector<double> growth;    ///< regional growth m [-], one per point
+    std::vector<double> onset;     ///< of growth [t], one per point; empty: the same everywhere
+    std::vector<double> rate;      ///< of growth [1/t], one per point; empty: the same everywhere
     std::vector<double> thickness; ///< of the cortex at t = 0 [mm], one per point; empty: the same everywhere
 };
 

@@ -103,9 +103,14 @@ void write_views(const fs::path& out, const Body& body, const BodyQuality& quali
                        Field{"nearest_distance", 1, quality.nearest_distance},
                        Field{"volume_over_mean", 1, quality.volume_over_mean},
                        Field{"condition_number", 1, quality.condition_number}};
-    if (!tissue.thickness.empty())
+    for (const auto& [name, values] :
+         {std::pair{"thickness", &tissue.thickness}, std::pair{"growth_onset", &tissue.growth_onset},
+          std::pair{"growth_rate", &tissue.growth_rate}})
     {
-        fields.push_back(Field{"thickness", 1, tissue.thickness});
+        if (!values->empty())
+        {
+            fields.push_back(Field{name, 1, *values});
+        }
     }
     write_particles_vtu(out / "particles.vtu", body.cloud.positions, ids, fields);
 
