@@ -69,7 +69,7 @@ bool is_of_other_shape(const Parameter& parameter, std::string_view shape)
     const std::string& key = parameter.key;
     return (key == "geometry.radius_mm" && shape != "sphere") ||
            (key == "geometry.semi_axes_mm" && shape != "ellipsoid") ||
-            ((key == "geometry.file" || key == "geometry.unit") && shape != "file") || key == "geometry.image_volume";
+           ((key == "geometry.file" || key == "geometry.unit") && shape != "file");
 }
 
 } // namespace
@@ -105,7 +105,9 @@ std::string starter_case(const std::string& shape)
                        text += fmt::format("# {}{}{}\n", parameter.sentence,
                                            parameter.unit.empty() ? "" : " Unit: " + parameter.unit + ".",
                                            range.empty() ? "" : " Range: " + range + ".");
-                       const std::string_view example = parameter.unit == "weeks" ? "25.0" : "0.5";
+                       const std::string_view example = parameter.kind == Kind::integer ? "1"
+                                                        : parameter.unit == "weeks"     ? "25.0"
+                                                                                        : "0.5";
                        text +=
                            fmt::format("{}{} = {}\n", value.empty() || is_of_other_shape(parameter, shape) ? "# " : "",
                                        parameter.name(), value.empty() ? example : value);
