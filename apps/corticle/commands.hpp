@@ -68,8 +68,8 @@ int schema_command(const SchemaArguments& arguments);
 
 struct MeasureArguments
 {
-    std::filesystem::path surface;
-    std::string unit = "mm";
+    std::filesystem::path file;
+    RealSurfaceOptions options;
     bool json = false;
 };
 int measure_command(const MeasureArguments& arguments);

@@ -117,17 +117,33 @@ void add_schema(CLI::App& app, Verb& chosen)
     verb->callback([arguments, &chosen] { chosen = [arguments] { return schema_command(*arguments); }; });
 }
 
-void add_measure(CLI::App& app, Verb& chosen)
+/// How a real brain is read, for the verbs that measure one.
+void add_real_surface(CLI::App& verb, RealSurfaceOptions& options)
 {
-    auto arguments = std::make_shared<MeasureArguments>();
-    CLI::App* verb = app.add_subcommand("measure", "Area, volume and gyrification indices of a closed surface");
-    verb->add_option("surface", arguments->surface, "STL, OBJ, PLY, OFF, VTP, GIFTI or FreeSurfer")
-        ->type_name("FILE")
-        ->required();
-    verb->add_option("--unit", arguments->unit, "Unit of length of the file: mm, cm or m")
+    verb.add_option("--unit", options.unit, "Unit of length of surface files: mm, cm or m")
         ->capture_default_str()
         ->type_name("UNIT")
         ->check(CLI::IsMember({"mm", "cm", "m"}));
+    verb.add_option("--labels", options.mask.labels, "Labels of a label volume that are the body (default: all but 0)")
+        ->type_name("A,B,...")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    verb.add_option("--closing-mm", options.mask.closing_mm, "Radius by which the mask of the labels is closed")
+        ->capture_default_str()
+        ->type_name("MM");
+    verb.add_option("--smoothing-mm", options.mask.smoothing_mm, "Standard deviation of the smoothing of the mask")
+        ->capture_default_str()
+        ->type_name("MM");
+}
+
+void add_measure(CLI::App& app, Verb& chosen)
+{
+    auto arguments = std::make_shared<MeasureArguments>();
+    CLI::App* verb = app.add_subcommand("measure", "Size, indices and folds of a closed surface or of labels");
+    verb->add_option("file", arguments->file, "STL, OBJ, PLY, OFF, VTP, GIFTI, FreeSurfer, or NIfTI labels")
+        ->type_name("FILE")
+        ->required();
+    add_real_surface(*verb, arguments->options);
     verb->add_flag("--json", arguments->json, "As JSON");
     verb->callback([arguments, &chosen] { chosen = [arguments] { return measure_command(*arguments); }; });
 }
@@ -138,7 +154,8 @@ void add_compare(CLI::App& app, Verb& chosen)
     ComparisonRequest& request = arguments->request;
     CLI::App* verb = app.add_subcommand("compare", "Compare a run with another run, or with real surfaces");
     verb->add_option("run", request.run, "Run folder")->type_name("RUN")->required();
-    verb->add_option("others", request.others, "Another run folder, or real surfaces, each with its week (or FILE@t=T)")
+    verb->add_option("others", request.others,
+                     "Another run folder, or real surfaces or labels, each with its week (or FILE@t=T)")
         ->type_name("RUN|FILE@WEEK")
         ->required();
     verb->add_option("--out", request.out, "Folder of the report (default: compare_<A>_<B>)")->type_name("DIR");
@@ -147,10 +164,7 @@ void add_compare(CLI::App& app, Verb& chosen)
         ->type_name("T")
         ->type_size(1)
         ->allow_extra_args(false);
-    verb->add_option("--unit", request.unit, "Unit of length of the real surfaces: mm, cm or m")
-        ->capture_default_str()
-        ->type_name("UNIT")
-        ->check(CLI::IsMember({"mm", "cm", "m"}));
+    add_real_surface(*verb, request.real);
     verb->add_flag("--json", arguments->json, "Print the comparison as JSON");
     verb->callback([arguments, &chosen] { chosen = [arguments] { return compare_command(*arguments); }; });
 }

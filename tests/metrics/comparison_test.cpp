@@ -2,6 +2,7 @@
 #include "corticle/metrics/comparison.hpp"
 
 #include "corticle/geometry/shapes.hpp"
+#include "corticle/metrics/fold_measures.hpp"
 #include "corticle/metrics/surface_measures.hpp"
 #include "corticle/metrics/surface_rows.hpp"
 #include "geometry/simple_surfaces.hpp"
@@ -229,6 +230,10 @@ TEST(SurfaceRows, AreThoseOfTheMeasures)
     EXPECT_EQ(value("gi_hull"), measures.gi_hull);
     EXPECT_EQ(value("gi_sphere"), measures.gi_sphere);
     EXPECT_EQ(value("hull_area_mm2"), measures.hull_area_mm2);
+    EXPECT_EQ(value("width_mm"), 1.0);
+    EXPECT_EQ(value("length_mm"), 2.0);
+    EXPECT_EQ(value("height_mm"), 3.0);
+    EXPECT_EQ(rows.size(), size_columns().size() + fold_columns().size());
 }
 
 } // namespace

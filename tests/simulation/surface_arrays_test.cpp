@@ -33,8 +33,8 @@ struct Measured
 Measured measured(const Simulation& simulation)
 {
     const std::vector<Mat3> F = simulation.deformation_gradients();
-    Measured m{surface_arrays(simulation, F), {}};
-    m.row = measure(simulation, F, m.arrays);
+    Measured m{surface_arrays(simulation, F, physical_scale(simulation)), {}};
+    m.row = measure(simulation, F, m.arrays, physical_scale(simulation));
     return m;
 }
 

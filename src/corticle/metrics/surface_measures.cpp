@@ -5,6 +5,7 @@
 #include "corticle/geometry/hull.hpp"
 #include "corticle/geometry/triangle_tests.hpp"
 
+#include <array>
 #include <limits>
 #include <numbers>
 
@@ -13,6 +14,30 @@ namespace corticle
 
 namespace
 {
+
+constexpr std::array columns{
+    SizeColumn{"area_mm2", "mm2", &SurfaceMeasures::area_mm2},
+    SizeColumn{"volume_mm3", "mm3", &SurfaceMeasures::volume_mm3},
+    SizeColumn{"area_per_volume", "1/mm", &SurfaceMeasures::area_per_volume},
+    SizeColumn{"hull_area_mm2", "mm2", &SurfaceMeasures::hull_area_mm2},
+    SizeColumn{"gi_hull", "-", &SurfaceMeasures::gi_hull},
+    SizeColumn{"gi_sphere", "-", &SurfaceMeasures::gi_sphere},
+    SizeColumn{"length_mm", "mm", &SurfaceMeasures::length_mm},
+    SizeColumn{"width_mm", "mm", &SurfaceMeasures::width_mm},
+    SizeColumn{"height_mm", "mm", &SurfaceMeasures::height_mm},
+};
+
+Vec3 extent(std::span<const Vec3> points)
+{
+    Vec3 low = points.front();
+    Vec3 high = points.front();
+    for (const Vec3& x : points)
+    {
+        low = {std::min(low.x, x.x), std::min(low.y, x.y), std::min(low.z, x.z)};
+        high = {std::max(high.x, x.x), std::max(high.y, x.y), std::max(high.z, x.z)};
+    }
+    return high - low;
+}
 
 Vec3 area_vector(const TriangleMesh& mesh, const Triangle& corner)
 {
@@ -39,6 +64,11 @@ double distance_to_pierced(const Vec3& point, const Vec3& normal, const Triangle
 
 } // namespace
 
+std::span<const SizeColumn> size_columns()
+{
+    return columns;
+}
+
 double sphere_index(double area, double volume)
 {
     return area / (std::cbrt(std::numbers::pi) * std::pow(6.0 * volume, 2.0 / 3.0));
@@ -54,6 +84,10 @@ SurfaceMeasures measure_surface(std::span<const Vec3> vertices, std::span<const 
     m.hull_area_mm2 = surface_area(hull.vertices, hull.triangles);
     m.gi_hull = m.area_mm2 / m.hull_area_mm2;
     m.gi_sphere = sphere_index(m.area_mm2, m.volume_mm3);
+    const Vec3 size = extent(vertices);
+    m.length_mm = size.y;
+    m.width_mm = size.x;
+    m.height_mm = size.z;
     return m;
 }
 

@@ -3,6 +3,8 @@
 
 #include "corticle/geometry/triangle_mesh.hpp"
 
+#include <string_view>
+
 namespace corticle
 {
 
@@ -15,9 +17,21 @@ struct SurfaceMeasures
     double hull_area_mm2 = 0.0;
     double gi_hull = 0.0;   ///< gyrification index: area over the area of the convex hull
     double gi_sphere = 0.0; ///< gyrification index: area over the area of the sphere of equal volume
+    double length_mm = 0.0; ///< extent along y, from back to front where x points to the right
+    double width_mm = 0.0;  ///< extent along x
+    double height_mm = 0.0; ///< extent along z
 };
 
 SurfaceMeasures measure_surface(std::span<const Vec3> vertices, std::span<const Triangle> triangles);
+
+/// Name of a measure in files, its unit, its place.
+struct SizeColumn
+{
+    std::string_view key;
+    std::string_view unit;
+    double SurfaceMeasures::*value;
+};
+std::span<const SizeColumn> size_columns();
 
 /// Area over the area of the sphere that encloses the same volume.
 double sphere_index(double area, double volume);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "corticle/simulation/real_surface.hpp"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -15,7 +17,7 @@ struct ComparisonRequest
     std::vector<std::string> others;   ///< one run folder, or real surfaces, each FILE@WEEK or FILE@t=T
     std::filesystem::path out;         ///< empty: compare_<run>_<other>
     std::vector<double> picture_times; ///< growth times of the pictures [-]; empty: half and end
-    std::string unit = "mm";           ///< of length, of the real surfaces
+    RealSurfaceOptions real;           ///< how real surfaces are read
 };
 
 /// Pictures of a report.

@@ -6,6 +6,7 @@
 #include "corticle/tissue/growth.hpp"
 #include "corticle/tissue/neo_hookean.hpp"
 
+#include <cmath>
 #include <numeric>
 
 namespace corticle
@@ -26,14 +27,22 @@ struct ParticleArrays
 
 double growth_at(const Simulation& simulation, std::size_t i)
 {
-    const Tissue& tissue = simulation.body().tissue;
-    return material_point(tissue.options, tissue.theta[i], tissue.regional_rate[i], simulation.state().t).growth;
+    return simulation.body().tissue.point(i, simulation.state().t).growth;
 }
 
-ParticleArrays particle_arrays(const Simulation& simulation, std::span<const Mat3> F)
+std::vector<double> times(std::span<const double> values, double factor)
 {
-    const Body& body = simulation.body();
-    const Tissue& tissue = body.tissue;
+    std::vector<double> result(values.begin(), values.end());
+    for (double& value : result)
+    {
+        value *= factor;
+    }
+    return result;
+}
+
+ParticleArrays particle_arrays(const Simulation& simulation, std::span<const Mat3> F, const Frame& frame)
+{
+    const Tissue& tissue = simulation.body().tissue;
     const std::size_t count = F.size();
     ParticleArrays a{std::vector<double>(count), std::vector<double>(9 * count), std::vector<double>(9 * count),
                      std::vector<double>(3 * count), std::vector<double>(3 * count)};
@@ -41,12 +50,12 @@ ParticleArrays particle_arrays(const Simulation& simulation, std::span<const Mat
                  [&](std::int64_t signed_i)
                  {
                      const auto i = static_cast<std::size_t>(signed_i);
-                     const MaterialPoint point =
-                         material_point(tissue.options, tissue.theta[i], tissue.regional_rate[i], simulation.state().t);
-                     const Mat3 F_e = F[i] * inverse_growth_tensor(point.growth, tissue.normal[i]);
+                     const MaterialPoint point = tissue.point(i, simulation.state().t);
+                     const Mat3 F_e =
+                         F[i] * inverse_growth_tensor(point.growth, tissue.growth_normal(i, F[i]), point.radial_growth);
                      const NeoHookean law{point.shear_modulus, point.bulk_modulus, tissue.options.barrier_J};
                      const Mat3 sigma = cauchy_stress(law.respond(F_e).stress, F_e);
-                     const Vec3 u = simulation.state().motion.x[i] - body.cloud.positions[i];
+                     const Vec3 u = frame.particles[i] - frame.origins[i];
                      a.J[i] = determinant(F[i]);
                      for (int row = 0; row < 3; ++row)
                      {
@@ -78,18 +87,20 @@ std::vector<double> on_surface(const Cloud& cloud, std::span<const double> value
 
 } // namespace
 
-Frame make_frame(const Simulation& simulation, std::span<const Mat3> F, std::string name)
+Frame make_frame(const Simulation& simulation, std::span<const Mat3> F, const PhysicalScale& scale, std::string name)
 {
     const Cloud& cloud = simulation.body().cloud;
     Frame frame;
     frame.t = simulation.state().t;
+    frame.week = scale.week;
+    frame.length_scale = scale.length;
     frame.name = std::move(name);
-    frame.particles = simulation.state().motion.x;
-    frame.origins = cloud.positions;
+    frame.particles = scaled(simulation.state().motion.x, scale.length);
+    frame.origins = scaled(cloud.positions, scale.length);
     frame.F.assign(F.begin(), F.end());
-    frame.spacing = mean_spacing(cloud.volumes);
+    frame.spacing = mean_spacing(cloud.volumes) * scale.length;
     frame.theta = simulation.body().tissue.theta;
-    frame.surface = simulation.surface_positions();
+    frame.surface = scaled(simulation.surface_positions(), scale.length);
     frame.triangles = cloud.surface_triangles;
     std::vector<double> J;
     for (std::size_t i = 0; i < F.size(); ++i)
@@ -107,18 +118,15 @@ void write_frame(const std::filesystem::path& folder, const Simulation& simulati
 {
     const Cloud& cloud = simulation.body().cloud;
     const Tissue& tissue = simulation.body().tissue;
-    const ParticleArrays a = particle_arrays(simulation, F);
+    const ParticleArrays a = particle_arrays(simulation, F, frame);
+    const std::vector<double> depth = times(tissue.depth, frame.length_scale);
+    const std::vector<double> volume = times(cloud.volumes, std::pow(frame.length_scale, 3));
     std::vector<std::int32_t> ids(frame.particles.size());
     std::iota(ids.begin(), ids.end(), 0);
-    const std::vector particle_fields{Field{"J", 1, a.J},
-                                      Field{"theta", 1, frame.theta},
-                                      Field{"growth", 1, frame.particle_growth},
-                                      Field{"F", 9, a.F},
-                                      Field{"stress", 9, a.stress},
-                                      Field{"displacement", 3, a.displacement},
-                                      Field{"depth", 1, tissue.depth},
-                                      Field{"normal", 3, a.normal},
-                                      Field{"volume", 1, cloud.volumes}};
+    const std::vector particle_fields{
+        Field{"J", 1, a.J},       Field{"theta", 1, frame.theta}, Field{"growth", 1, frame.particle_growth},
+        Field{"F", 9, a.F},       Field{"stress", 9, a.stress},   Field{"displacement", 3, a.displacement},
+        Field{"depth", 1, depth}, Field{"normal", 3, a.normal},   Field{"volume", 1, volume}};
     write_particles_vtu(folder / ("particles_" + frame.name + ".vtu"), frame.particles, ids, particle_fields);
 
     const std::vector<double> id(cloud.surface_particles.begin(), cloud.surface_particles.end());

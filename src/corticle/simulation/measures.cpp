@@ -2,12 +2,12 @@
 #include "corticle/simulation/measures.hpp"
 
 #include "corticle/base/error.hpp"
-#include "corticle/metrics/surface_measures.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <numeric>
 
 namespace corticle
@@ -20,15 +20,12 @@ constexpr double probe_in_spacings = 1e-4;
 
 constexpr std::array first_columns{
     MeasureColumn{"t", "-", &Measures::t},
+    MeasureColumn{"week", "weeks", &Measures::week},
+    MeasureColumn{"length_scale", "-", &Measures::length_scale},
     MeasureColumn{"steps", "-", &Measures::steps},
     MeasureColumn{"rejected_steps", "-", &Measures::rejected_steps},
-    MeasureColumn{"area_mm2", "mm2", &Measures::area_mm2},
-    MeasureColumn{"volume_mm3", "mm3", &Measures::volume_mm3},
     MeasureColumn{"area_ratio", "-", &Measures::area_ratio},
     MeasureColumn{"volume_ratio", "-", &Measures::volume_ratio},
-    MeasureColumn{"area_per_volume", "1/mm", &Measures::area_per_volume},
-    MeasureColumn{"gi_hull", "-", &Measures::gi_hull},
-    MeasureColumn{"gi_sphere", "-", &Measures::gi_sphere},
     MeasureColumn{"thickness_mean_mm", "mm", &Measures::thickness_mean_mm},
     MeasureColumn{"fold_wavelength_reference_mm", "mm", &Measures::fold_wavelength_reference_mm},
     MeasureColumn{"fold_degree", "-", &Measures::fold_degree},
@@ -50,6 +47,10 @@ constexpr std::array first_columns{
 std::vector<MeasureColumn> all_columns()
 {
     std::vector<MeasureColumn> columns(first_columns.begin(), first_columns.end());
+    for (const SizeColumn& column : size_columns())
+    {
+        columns.push_back({column.key, column.unit, column.value});
+    }
     for (const FoldColumn& column : fold_columns())
     {
         columns.push_back({column.key, column.unit, column.value});
@@ -81,29 +82,28 @@ std::span<const MeasureColumn> measure_columns()
     return columns;
 }
 
-Measures measure(const Simulation& simulation, std::span<const Mat3> F, const SurfaceArrays& arrays)
+Measures measure(const Simulation& simulation, std::span<const Mat3> F, const SurfaceArrays& arrays,
+                 const PhysicalScale& scale)
 {
     const Body& body = simulation.body();
     const State& state = simulation.state();
-    const std::vector<Vec3> x = simulation.surface_positions();
+    const std::vector<Vec3> x = scaled(simulation.surface_positions(), scale.length);
     const SurfaceMeasures now = measure_surface(x, body.cloud.surface_triangles);
     const double area_0 = surface_area(body.surface.vertices, body.surface.triangles);
     const double volume_0 = enclosed_volume(body.surface.vertices, body.surface.triangles);
-    const Overlap overlap = measure_overlap(x, body.cloud.surface_triangles, probe_in_spacings * body.cloud.spacing);
+    const Overlap overlap =
+        measure_overlap(x, body.cloud.surface_triangles, probe_in_spacings * body.cloud.spacing * scale.length);
 
     const ReferenceFolds waves = reference_folds(simulation);
 
-    Measures m{measure_folds(x, body.cloud.surface_triangles, arrays.folds, fold_options(body))};
+    Measures m{now, measure_folds(x, body.cloud.surface_triangles, arrays.folds, fold_options(body, scale))};
     m.t = state.t;
+    m.week = scale.week;
+    m.length_scale = scale.length;
     m.steps = static_cast<double>(state.steps);
     m.rejected_steps = static_cast<double>(state.rejected_steps);
-    m.area_mm2 = now.area_mm2;
-    m.volume_mm3 = now.volume_mm3;
-    m.area_ratio = now.area_mm2 / area_0;
-    m.volume_ratio = now.volume_mm3 / volume_0;
-    m.area_per_volume = now.area_per_volume;
-    m.gi_hull = now.gi_hull;
-    m.gi_sphere = now.gi_sphere;
+    m.area_ratio = now.area_mm2 / (area_0 * std::pow(scale.length, 2));
+    m.volume_ratio = now.volume_mm3 / (volume_0 * std::pow(scale.length, 3));
     m.thickness_mean_mm = area_mean(arrays.thickness, vertex_areas(x, body.cloud.surface_triangles));
     m.fold_wavelength_reference_mm = waves.wavelength_mm;
     m.fold_degree = waves.degree;

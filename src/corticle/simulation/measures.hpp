@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "corticle/metrics/surface_measures.hpp"
 #include "corticle/simulation/surface_arrays.hpp"
 
+#include <limits>
 #include <span>
 #include <string_view>
 
 namespace corticle
 {
 
-/// Measures of a run at one output time: a row of measures.csv.
-struct Measures : FoldMeasures
+/// Measures of a run at one output time: a row of measures.csv. Lengths, areas and volumes are in mm at the week, but
+/// ratios, energies and fold_wavelength_reference_mm belong to the run's own coordinates.
+struct Measures : SurfaceMeasures, FoldMeasures
 {
     double t = 0.0;
+    double week = std::numeric_limits<double>::quiet_NaN(); ///< gestational age; not a number without a clock
+    double length_scale = 1.0;                              ///< see PhysicalScale
     double steps = 0.0;
     double rejected_steps = 0.0;
-    double area_mm2 = 0.0;
-    double volume_mm3 = 0.0;
-    double area_ratio = 0.0;   ///< over the initial area
-    double volume_ratio = 0.0; ///< over the initial volume
-    double area_per_volume = 0.0;
-    double gi_hull = 0.0;
-    double gi_sphere = 0.0;
+    double area_ratio = 0.0;                   ///< over the initial area
+    double volume_ratio = 0.0;                 ///< over the initial volume
     double thickness_mean_mm = 0.0;            ///< of the cortex, weighted with current area
     double fold_wavelength_reference_mm = 0.0; ///< see ReferenceFolds
     double fold_degree = 0.0;                  ///< the same
@@ -49,7 +49,9 @@ struct MeasureColumn
 };
 std::span<const MeasureColumn> measure_columns();
 
-Measures measure(const Simulation& simulation, std::span<const Mat3> F, const SurfaceArrays& arrays);
+/// @param scale  physical_scale(simulation), with which `arrays` was made
+Measures measure(const Simulation& simulation, std::span<const Mat3> F, const SurfaceArrays& arrays,
+                 const PhysicalScale& scale);
 
 /// measures.csv of the rows: header with units, one line each, 17 significant digits.
 std::string measures_csv(std::span<const Measures> rows);

@@ -2,11 +2,10 @@
 #include "corticle/simulation/real_comparison.hpp"
 
 #include "corticle/base/error.hpp"
-#include "corticle/geometry/validate.hpp"
-#include "corticle/io/surface_reader.hpp"
 #include "corticle/io/text_scan.hpp"
 #include "corticle/io/vtk_files.hpp"
 #include "corticle/metrics/comparison.hpp"
+#include "corticle/simulation/real_surface.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -36,7 +35,8 @@ Place parse_place(const std::string& text)
     const auto refuse = [&](const std::string& what)
     {
         throw InputError(fmt::format(
-            "{}: {}; expected a run folder, or a surface with its week, FILE@WEEK (or FILE@t=T)", text, what));
+            "{}: {}; expected a run folder, or a surface or label volume with its week, FILE@WEEK (or FILE@t=T)", text,
+            what));
     };
     if (at == std::string::npos || at == 0)
     {
@@ -70,7 +70,11 @@ struct Axis
 
 Axis axis_of(const RunContents& run)
 {
-    const Axis axis{run.measures.find("t"), run.measures.find("week")};
+    Axis axis{run.measures.find("t"), run.measures.find("week")};
+    if (axis.week != nullptr && std::ranges::all_of(axis.week->values, [](double week) { return std::isnan(week); }))
+    {
+        axis.week = nullptr; // a run without a clock
+    }
     if (axis.week != nullptr)
     {
         const std::vector<double>& weeks = axis.week->values;
@@ -83,7 +87,7 @@ Axis axis_of(const RunContents& run)
     return axis;
 }
 
-RealSurface measure_real(const std::string& name, const Axis& axis, double millimetres)
+RealSurface measure_real(const std::string& name, const Axis& axis, const RealSurfaceOptions& options)
 {
     const Place place = parse_place(name);
     if (place.is_week && axis.week == nullptr)
@@ -91,8 +95,7 @@ RealSurface measure_real(const std::string& name, const Axis& axis, double milli
         throw InputError(
             fmt::format("{}: the run has no weeks (no clock); expected FILE@t=T with a growth time", name));
     }
-    const TriangleMesh surface = read_surface(place.file, millimetres);
-    require_valid_surface(surface, place.file.string());
+    const TriangleMesh surface = read_real_surface(place.file, options);
     return {name, place.is_week ? place.value : axis.place_of_t(place.value),
             surface_rows(surface.vertices, surface.triangles)};
 }
@@ -144,10 +147,9 @@ RealComparison compare_with_real(const ComparisonRequest& request)
     result.run_name = fs::absolute(request.run / ".").lexically_normal().parent_path().filename().string();
     result.run_folder = request.run;
     result.axis = axis.week == nullptr ? "t" : "week";
-    const double millimetres = millimetres_per(request.unit);
     for (const std::string& name : request.others)
     {
-        result.reals.push_back(measure_real(name, axis, millimetres));
+        result.reals.push_back(measure_real(name, axis, request.real));
     }
     std::vector<FrameFiles> frames;
     for (const FrameFiles& frame : run.frames)

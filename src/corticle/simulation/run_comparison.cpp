@@ -60,6 +60,12 @@ std::vector<double> common_times(const std::array<RunContents, 2>& runs, const I
     return times;
 }
 
+/// As the weeks of a run without a clock.
+bool holds_no_numbers(const NumberColumn& column)
+{
+    return std::ranges::all_of(column.values, [](double value) { return std::isnan(value); });
+}
+
 std::vector<MeasurePair> compare_measures(const std::array<RunContents, 2>& runs, std::span<const double> times)
 {
     std::vector<MeasurePair> pairs;
@@ -69,7 +75,7 @@ std::vector<MeasurePair> compare_measures(const std::array<RunContents, 2>& runs
         const auto b = std::find_if(others.begin(), others.end(),
                                     [&](const NumberColumn& other)
                                     { return measure_key(other) == measure_key(a) && other.unit == a.unit; });
-        if (a.key == "t" || b == others.end())
+        if (a.key == "t" || b == others.end() || holds_no_numbers(a) || holds_no_numbers(*b))
         {
             continue;
         }

@@ -84,9 +84,10 @@ class Recorder
     void record(const Simulation& simulation, bool with_pictures)
     {
         const std::vector<Mat3> F = simulation.deformation_gradients();
-        const Frame frame = make_frame(simulation, F, frame_name(rows_.size()));
-        const SurfaceArrays arrays = surface_arrays(simulation, F);
-        rows_.push_back(measure(simulation, F, arrays));
+        const PhysicalScale scale = physical_scale(simulation);
+        const Frame frame = make_frame(simulation, F, scale, frame_name(rows_.size()));
+        const SurfaceArrays arrays = surface_arrays(simulation, F, scale);
+        rows_.push_back(measure(simulation, F, arrays, scale));
         const Measures& row = rows_.back();
         write_frame(request_.out, simulation, F, frame, arrays);
         write_tables(request_.out, rows_);

@@ -14,6 +14,11 @@
 namespace corticle
 {
 
+namespace
+{
+constexpr double same_time = 1e-9;
+} // namespace
+
 ColorScale robust_scale(std::string label, std::span<const double> values, std::string map)
 {
     std::vector<double> sorted(values.begin(), values.end());
@@ -51,7 +56,8 @@ void render_frame(const std::filesystem::path& folder, const Frame& frame)
 {
     const std::filesystem::path pictures = folder / "pictures";
     std::filesystem::create_directories(pictures);
-    const std::string title = fmt::format("t = {:.3f}", frame.t);
+    const std::string title =
+        fmt::format("t = {:.3f}", frame.t) + (std::isnan(frame.week) ? "" : fmt::format(", week {:.1f}", frame.week));
     render_surface(pictures / fmt::format("surface_J_{}.png", frame.name), frame.surface, frame.triangles,
                    frame.surface_J, robust_scale("J = det F", frame.surface_J, "viridis"), title);
     render_surface(pictures / fmt::format("surface_growth_{}.png", frame.name), frame.surface, frame.triangles,
@@ -102,7 +108,11 @@ void render_run(const std::filesystem::path& folder)
     }
     for (const FrameFiles& files : frames)
     {
-        render_frame(folder, read_frame(files));
+        Frame frame = read_frame(files);
+        const auto row =
+            std::ranges::find_if(rows, [&](const Measures& known) { return std::abs(known.t - files.t) < same_time; });
+        frame.week = row == rows.end() ? frame.week : row->week;
+        render_frame(folder, frame);
     }
     render_measures(folder, rows);
 }

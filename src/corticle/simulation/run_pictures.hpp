@@ -15,14 +15,16 @@ namespace corticle
 struct Frame
 {
     double t = 0.0;
-    std::string name;                    ///< "0007": part of every file name of the frame
-    std::vector<Vec3> particles;         ///< current positions [mm]
-    std::vector<Vec3> origins;           ///< reference positions of the particles [mm]
-    std::vector<Mat3> F;                 ///< deformation gradients of the particles [-]
-    double spacing = 0.0;                ///< of the particles in the reference configuration [mm]
-    std::vector<double> theta;           ///< [-]
-    std::vector<double> particle_growth; ///< g [-]
-    std::vector<Vec3> surface;           ///< current positions of the surface vertices [mm]
+    double week = std::numeric_limits<double>::quiet_NaN(); ///< not a number where it is not known
+    std::string name;                                       ///< "0007": part of every file name of the frame
+    std::vector<Vec3> particles;                            ///< current positions [mm]
+    std::vector<Vec3> origins;                              ///< reference positions of the particles [mm]
+    std::vector<Mat3> F;                                    ///< deformation gradients of the particles [-]
+    double spacing = 0.0;                                   ///< of the particles in the reference configuration [mm]
+    double length_scale = 1.0;                              ///< mm here per mm of the run, known while the run goes on
+    std::vector<double> theta;                              ///< [-]
+    std::vector<double> particle_growth;                    ///< g [-]
+    std::vector<Vec3> surface;                              ///< current positions of the surface vertices [mm]
     std::vector<Triangle> triangles;
     std::vector<double> surface_J;
     std::vector<double> surface_growth;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/simulation/summary.hpp"
 
+#include "corticle/config/parameters.hpp"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
@@ -13,6 +15,11 @@ namespace
 
 constexpr double most_zero_mode_share = 0.05;
 constexpr double most_kinetic_share = 0.10;
+
+std::string clock_name(const Options& options)
+{
+    return std::get<std::string>(find_parameter("time.clock")->get(options));
+}
 
 } // namespace
 
@@ -41,19 +48,21 @@ std::string summary_json(const Simulation& simulation, const Measures& last, con
     j["elements"] = 0;
     j["threads"] = info.threads;
     j["t"] = state.t;
+    j["clock"] = clock_name(simulation.options());
+    j["week"] = last.week;
+    j["length_scale"] = last.length_scale;
     j["steps"] = state.steps;
     j["rejected_steps"] = state.rejected_steps;
     j["wall_s"] = info.wall_s;
     j["us_per_particle_step"] =
         work > 0.0 ? nlohmann::ordered_json(1e6 * info.session_wall_s / work) : nlohmann::ordered_json(nullptr);
     j["peak_memory_mb"] = peak_memory_mb();
-    j["area_mm2"] = last.area_mm2;
-    j["volume_mm3"] = last.volume_mm3;
+    for (const SizeColumn& column : size_columns())
+    {
+        j[std::string(column.key)] = last.*column.value;
+    }
     j["area_ratio"] = last.area_ratio;
     j["volume_ratio"] = last.volume_ratio;
-    j["area_per_volume"] = last.area_per_volume;
-    j["gi_hull"] = last.gi_hull;
-    j["gi_sphere"] = last.gi_sphere;
     for (const FoldColumn& column : fold_columns())
     {
         j[std::string(column.key)] = last.*column.value;

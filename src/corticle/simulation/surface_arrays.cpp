@@ -15,20 +15,20 @@ constexpr int largest_degree = 30;
 constexpr double roundness = 0.01;              ///< largest deviation of a sphere's radius, over the radius
 constexpr double least_wave_per_spacing = 0.01; ///< amplitude below which a surface counts as flat
 
-/// Where theta is 1/2 below each surface vertex, in the reference configuration [mm]: at the depth H(t) along the
+/// Where theta is 1/2 below each surface vertex, in the reference configuration [mm]: at the depth H(t)/s(t) along the
 /// normal, or on the similar ellipsoid of eq. 24.
 std::vector<Vec3> cortex_boundary(const Body& body, double t)
 {
     const TissueOptions& tissue = body.tissue.options;
     const bool similar = tissue.layer == Layer::binary && tissue.lambda > 0.0;
-    const std::vector<double>& local = body.tissue.thickness;
+    const double scale = body.tissue.size.scale(t);
     std::vector<Vec3> boundary;
     boundary.reserve(body.surface.vertices.size());
     for (std::size_t v = 0; v < body.surface.vertices.size(); ++v)
     {
         const Vec3 X = body.surface.vertices[v];
         const auto particle = static_cast<std::size_t>(body.cloud.surface_particles[v]);
-        const double thickness = (local.empty() ? tissue.thickness_mm : local[particle]) + tissue.thickness_rate_mm * t;
+        const double thickness = body.tissue.thickness_at(particle, t) / scale;
         boundary.push_back(similar ? std::sqrt(tissue.lambda) * X : X - thickness * body.tissue.normal[particle]);
     }
     return boundary;
@@ -76,20 +76,21 @@ int dominant_degree_of(std::span<const Vec3> X, std::span<const Vec3> x, std::sp
 
 } // namespace
 
-FoldOptions fold_options(const Body& body)
+FoldOptions fold_options(const Body& body, const PhysicalScale& scale)
 {
     FoldOptions options;
-    options.midplane = mid_sagittal_plane(body.surface.vertices);
+    options.midplane = mid_sagittal_plane(scaled(body.surface.vertices, scale.length));
     return options;
 }
 
-SurfaceArrays surface_arrays(const Simulation& simulation, std::span<const Mat3> F)
+SurfaceArrays surface_arrays(const Simulation& simulation, std::span<const Mat3> F, const PhysicalScale& scale)
 {
     const Body& body = simulation.body();
-    const std::vector<Vec3> x = simulation.surface_positions();
+    const std::vector<Vec3> x = scaled(simulation.surface_positions(), scale.length);
     const CarriedCloud cloud{body.cloud.positions, simulation.state().motion.x, F, body.cloud.spacing};
-    const std::vector<Vec3> inner = carried_points(cloud, cortex_boundary(body, simulation.state().t));
-    return {fold_fields(x, body.cloud.surface_triangles, fold_options(body)),
+    const std::vector<Vec3> inner =
+        scaled(carried_points(cloud, cortex_boundary(body, simulation.state().t)), scale.length);
+    return {fold_fields(x, body.cloud.surface_triangles, fold_options(body, scale)),
             cortical_thickness(x, inner, body.cloud.surface_triangles)};
 }
 

@@ -2,24 +2,24 @@
 #pragma once
 
 #include "corticle/metrics/fold_measures.hpp"
-#include "corticle/simulation/simulation.hpp"
+#include "corticle/simulation/physical_scale.hpp"
 
 namespace corticle
 {
 
-/// What is measured at every surface vertex at an output time.
+/// What is measured at every surface vertex at an output time, in mm at its week.
 struct SurfaceArrays
 {
     FoldFields folds;
     std::vector<double> thickness; ///< of the cortex [mm]
 };
 
-SurfaceArrays surface_arrays(const Simulation& simulation, std::span<const Mat3> F);
+SurfaceArrays surface_arrays(const Simulation& simulation, std::span<const Mat3> F, const PhysicalScale& scale);
 
 /// Folds are measured about the mid-plane of the reference surface.
-FoldOptions fold_options(const Body& body);
+FoldOptions fold_options(const Body& body, const PhysicalScale& scale);
 
-/// Folds as a displacement of the reference surface.
+/// Folds as a displacement of the reference surface, in mm of the body as it was given.
 struct ReferenceFolds
 {
     double wavelength_mm = 0.0; ///< dominant wavelength of the normal displacement, in the reference frame; 0: no folds

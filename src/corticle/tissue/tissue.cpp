@@ -11,7 +11,6 @@ namespace corticle
 
 void Tissue::set_layer(double t)
 {
-    const double thickened = options.thickness_rate_mm * t;
     const double scale = size.scale(t);
     const double scale_rate = size.scale_rate(t);
     const bool moves = options.layer == Layer::smooth && (options.thickness_rate_mm != 0.0 || scale_rate != 0.0);
@@ -21,8 +20,7 @@ void Tissue::set_layer(double t)
                  [&](std::int64_t i)
                  {
                      const auto k = static_cast<std::size_t>(i);
-                     const double at_start = thickness.empty() ? options.thickness_mm : thickness[k];
-                     const double H = (at_start + thickened) / scale;
+                     const double H = thickness_at(k, t) / scale;
                      theta[k] = options.layer == Layer::smooth ? smooth_layer(depth[k], H) : H - depth[k];
                      if (moves)
                      {

@@ -55,18 +55,24 @@ struct PastGrowth
 struct Tissue
 {
     TissueOptions options;
-    ReferenceSize size;                  ///< s, by which the cortex thins; without a law it does not
-    std::vector<double> volume;          ///< reference volume [mm³]
-    std::vector<double> depth;           ///< y, reference distance to the surface [mm]
-    std::vector<Vec3> normal;            ///< n, unit, reference
-    std::vector<double> regional_rate;   ///< m [-]
-    std::vector<double> growth_onset;    ///< [t], or empty
-    std::vector<double> growth_rate;     ///< [1/t], or empty
-    std::vector<double> thickness;       ///< H_i of the closest surface point [mm], or empty
-    std::vector<double> theta;           ///< cortex share at the current t [-]
-    std::vector<double> theta_rate;      ///< dtheta/dt of a smooth layer that moves, or empty
-    std::vector<PastGrowth> past;        ///< or empty: none
+    ReferenceSize size;                ///< s, by which the cortex thins; without a law it does not
+    std::vector<double> volume;        ///< reference volume [mm³]
+    std::vector<double> depth;         ///< y, reference distance to the surface [mm]
+    std::vector<Vec3> normal;          ///< n, unit, reference
+    std::vector<double> regional_rate; ///< m [-]
+    std::vector<double> growth_onset;  ///< [t], or empty
+    std::vector<double> growth_rate;   ///< [1/t], or empty
+    std::vector<double> thickness;     ///< H_i of the closest surface point [mm], or empty
+    std::vector<double> theta;         ///< cortex share at the current t [-]
+    std::vector<double> theta_rate;    ///< dtheta/dt of a smooth layer that moves, or empty
+    std::vector<PastGrowth> past;      ///< or empty: none
     bool theta_is_fixed = true;
+
+    /// H_i + beta t of particle i [mm]: divided by s(t), the thickness in the reference state.
+    double thickness_at(std::size_t i, double t) const
+    {
+        return (thickness.empty() ? options.thickness_mm : thickness[i]) + options.thickness_rate_mm * t;
+    }
 
     /// theta(y, H(t)), H(t) = (H_i + beta t) / s(t), with s the scale of the reference state (thesis eqs. 11 and 14;
     /// s = 1 without a length law), and its rate where H moves a smooth layer.
