@@ -16,7 +16,7 @@ MaskOptions measuring_mask()
 {
     MaskOptions mask;
     mask.closing_mm = 0.0;
-    mask.smoothing_mm = 0.5;
+    mask.smoothing_mm = 0.7;
     return mask;
 }
 
