@@ -30,6 +30,13 @@ def phantom(bench):
     """The built-in brain: from labels to a run; prepared and run gives what running alone gives."""
     bench.accepted("new", "brain")
     bench.refused(["new", "brain"], ["exists"])
+    size = json.loads(bench.accepted("measure", "brain.nii.gz", "--labels", "2,3,5,7", "--json") or "{}")
+    close(bench, size.get("volume_mm3"), 64460, 1000, "volume of the phantom's labels")
+    close(bench, size.get("length_mm"), 64.4, 0.8, "length of the phantom's labels")
+    bench.check(1.05 < size.get("gi_hull", 0) < 1.15, f"hull index of the phantom's labels: {size.get('gi_hull')}")
+    bench.refused(["measure", "brain.nii.gz", "--labels", "99"], ["99"])
+    bench.refused(["measure", "brain.nii.gz", "--labels", "2,x"], ["labels"])
+    bench.refused(["measure", "brain.nii.gz", "--closing-mm", "-1"], ["closing_mm"])
     bench.accepted("prepare", "brain.toml", "--out", "body", *SHORT)
     got = report(bench, "body")
     bench.check(got.get("genus") == 0, f"the phantom has genus {got.get('genus')}")
@@ -40,6 +47,13 @@ def phantom(bench):
     bench.refused(["prepare", "brain.toml", "--out", "body", *SHORT], ["--overwrite"])
     bench.accepted("prepare", "brain.toml", "--out", "body", "--overwrite", "--quiet", *SHORT)
     bench.accepted("run", "brain.toml", "--out", "direct", "--quiet", *SHORT)
+    weeks = [word for setting in ("time.clock=wang", "time.start_week=23", "time.end_week=23.5", "size.law=quadratic")
+             for word in ("--set", setting)]
+    bench.accepted("run", "brain.toml", "--out", "weeks", "--quiet", *SHORT[:2], *weeks, "--set", "output.pictures=off")
+    got = bench.accepted("compare", "weeks", "brain.nii.gz@23", "--labels", "2,3,5,7", "--json")
+    real = json.loads(got or "{}").get("reals", [{}])[0]
+    length = real.get("measures", {}).get("length_mm", {})
+    close(bench, length.get("run", 0) / length.get("real", 1), 1.0, 0.03, "length of the run over that of its labels")
     bench.accepted("run", "brain.toml", "--out", "prepared", "--body", "body", "--quiet", *SHORT)
     check_same(bench, "direct", "prepared", "from a prepared body")
     bench.refused(["run", "brain.toml", "--out", "other", "--body", "body", *SHORT, "--set", "geometry.seed=9"], ["geometry.seed"])

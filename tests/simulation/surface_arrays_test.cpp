@@ -49,7 +49,8 @@ TEST(SurfaceArrays, MillimetresAtTheirWeek)
     const PhysicalScale twice{30.0, 2.0};
     const Measures m = measure(simulation, F, surface_arrays(simulation, F, twice), twice);
     constexpr double round_off = 1e-9; // relative; powers of two, but sums of sampled slices and paths
-    const auto expect = [&](double got, double expected) { EXPECT_NEAR(got, expected, round_off * std::abs(expected)); };
+    const auto expect = [&](double got, double expected)
+    { EXPECT_NEAR(got, expected, round_off * std::abs(expected)); };
     EXPECT_EQ(m.week, 30.0);
     EXPECT_EQ(m.length_scale, 2.0);
     EXPECT_TRUE(std::isnan(run.week));
