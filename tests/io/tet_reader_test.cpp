@@ -178,7 +178,8 @@ TEST(TetReader, RefusesEveryTruncation)
         const std::size_t enough = kind == "netgen" ? bytes.find("2\n   1") : bytes.size() - 2;
         for (std::size_t size = 0; size < enough; size += 1 + size / 40)
         {
-            std::string message = message_of<InputError>([&] { parse_tets(bytes.substr(0, size), "body"); });
+            std::string message =
+                message_of<InputError>([&, &whole = bytes] { parse_tets(whole.substr(0, size), "body"); });
             if (kind == "netgen" && message.empty())
             {
                 continue; // the last digits of the last tet may be missing without a sign

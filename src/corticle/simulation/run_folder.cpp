@@ -85,8 +85,10 @@ class Recorder
     {
         const std::vector<Mat3> F = simulation.deformation_gradients();
         const PhysicalScale scale = physical_scale(simulation);
-        const Frame frame = make_frame(simulation, F, scale, frame_name(rows_.size()));
         const SurfaceArrays arrays = surface_arrays(simulation, F, scale);
+        Frame frame = make_frame(simulation, F, scale, frame_name(rows_.size()));
+        frame.sulcal_depth = arrays.folds.sulcal_depth;
+        frame.mean_curvature = arrays.folds.curvature.mean;
         rows_.push_back(measure(simulation, F, arrays, scale));
         const Measures& row = rows_.back();
         write_frame(request_.out, simulation, F, frame, arrays);

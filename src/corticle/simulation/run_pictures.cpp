@@ -58,10 +58,18 @@ void render_frame(const std::filesystem::path& folder, const Frame& frame)
     std::filesystem::create_directories(pictures);
     const std::string title =
         fmt::format("t = {:.3f}", frame.t) + (std::isnan(frame.week) ? "" : fmt::format(", week {:.1f}", frame.week));
-    render_surface(pictures / fmt::format("surface_J_{}.png", frame.name), frame.surface, frame.triangles,
-                   frame.surface_J, robust_scale("J = det F", frame.surface_J, "viridis"), title);
-    render_surface(pictures / fmt::format("surface_growth_{}.png", frame.name), frame.surface, frame.triangles,
-                   frame.surface_growth, robust_scale("growth g", frame.surface_growth, "viridis"), title);
+    const auto draw = [&](const std::string& kind, std::span<const double> values, const ColorScale& scale)
+    {
+        render_surface(pictures / fmt::format("surface_{}_{}.png", kind, frame.name), frame.surface, frame.triangles,
+                       values, scale, title);
+    };
+    draw("J", frame.surface_J, robust_scale("J = det F", frame.surface_J, "viridis"));
+    draw("growth", frame.surface_growth, robust_scale("growth g", frame.surface_growth, "viridis"));
+    draw("sulcal_depth", frame.sulcal_depth, robust_scale("sulcal depth [mm]", frame.sulcal_depth, "viridis"));
+    ColorScale curvature = robust_scale("mean curvature [1/mm]", frame.mean_curvature, "coolwarm");
+    curvature.high = std::max(curvature.high, -curvature.low); // 0 in the middle
+    curvature.low = -curvature.high;
+    draw("mean_curvature", frame.mean_curvature, curvature);
     render_cut(pictures / fmt::format("cut_{}.png", frame.name), middle_cut(frame, frame.particle_growth),
                robust_scale("growth g", frame.particle_growth, "viridis"), title);
 }

@@ -28,6 +28,8 @@ struct Frame
     std::vector<Triangle> triangles;
     std::vector<double> surface_J;
     std::vector<double> surface_growth;
+    std::vector<double> sulcal_depth;   ///< of the surface vertices [mm]
+    std::vector<double> mean_curvature; ///< of the surface vertices [1/mm]
 };
 
 /// Edge of a cube of the mean volume [mm]; not a number where there are no volumes [mm³].
@@ -39,8 +41,8 @@ ColorScale robust_scale(std::string label, std::span<const double> values, std::
 /// The cut through the middle of a frame, across y, that shows `scalar` of its particles. Refers to both.
 CutInput middle_cut(const Frame& frame, std::span<const double> scalar);
 
-/// Pictures of one frame: surface by J and by growth, cut through the middle across y (coronal where x points to the
-/// right and y to the front). `folder` is the run folder.
+/// Pictures of one frame: surface by J, growth, sulcal depth and mean curvature, cut through the middle across y
+/// (coronal where x points to the right and y to the front). `folder` is the run folder.
 void render_frame(const std::filesystem::path& folder, const Frame& frame);
 
 /// Plot of the measures against t.

@@ -157,6 +157,8 @@ Frame read_frame(const FrameFiles& files)
     frame.triangles = surface.mesh.triangles;
     frame.surface_J = of_surface("J");
     frame.surface_growth = of_surface("growth");
+    frame.sulcal_depth = of_surface("sulcal_depth");
+    frame.mean_curvature = of_surface("mean_curvature");
     if (!(frame.spacing > 0.0) || !std::isfinite(frame.spacing))
     {
         throw InputError(
