@@ -95,6 +95,7 @@ class TableReader
                          fmt::format("{}", table_.columns.size() + 1));
         }
         std::vector<double> values;
+        values.reserve(fields.size());
         for (const std::string_view field : fields)
         {
             values.push_back(number(field));
