@@ -13,7 +13,11 @@ class LineLattice
     LineLattice(const TriangleMesh& surface, double step);
 
     std::int64_t count() const { return lines_[0] * lines_[1]; }
-    double x_of(std::int64_t line) const { return x_ + step_ * static_cast<double>(line / lines_[1]); } ///< [mm]
+    double x_of(std::int64_t line) const ///< [mm]
+    {
+        const std::int64_t row = line / lines_[1];
+        return x_ + step_ * static_cast<double>(row);
+    }
     double y_of(std::int64_t line) const { return y_ + step_ * static_cast<double>(line % lines_[1]); } ///< [mm]
 
     /// Heights of the crossings of a line, ascending [mm]; their number is even, the inside lies between the pairs.
