@@ -72,9 +72,10 @@ AffineMap map_of(const GiftiTransform& transform, const SurfaceBuilder& surface)
     {
         for (int column = 0; column < 3; ++column)
         {
-            map.linear(row, column) = transform.matrix[static_cast<std::size_t>(4 * row + column)];
+            map.linear(row, column) =
+                transform.matrix[4 * static_cast<std::size_t>(row) + static_cast<std::size_t>(column)];
         }
-        map.shift[row] = transform.matrix[static_cast<std::size_t>(4 * row + 3)];
+        map.shift[row] = transform.matrix[4 * static_cast<std::size_t>(row) + 3];
     }
     const double scale = std::abs(determinant(map.linear));
     if (!(scale > 0.0) || !std::isfinite(scale))
