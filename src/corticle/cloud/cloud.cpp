@@ -4,13 +4,15 @@
 namespace corticle
 {
 
-std::vector<double> surface_values(const Cloud& cloud, std::span<const double> values)
+std::vector<double> surface_values(const Cloud& cloud, std::span<const double> values, std::size_t components)
 {
     std::vector<double> result;
-    result.reserve(cloud.surface_particles.size());
+    result.reserve(cloud.surface_particles.size() * components);
     for (const std::int32_t particle : cloud.surface_particles)
     {
-        result.push_back(values[static_cast<std::size_t>(particle)]);
+        const auto first =
+            values.begin() + static_cast<std::ptrdiff_t>(particle) * static_cast<std::ptrdiff_t>(components);
+        result.insert(result.end(), first, first + static_cast<std::ptrdiff_t>(components));
     }
     return result;
 }

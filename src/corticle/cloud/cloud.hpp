@@ -20,7 +20,7 @@ struct Cloud
     double spacing = 0.0;                        ///< mean distance between adjacent particles [mm]
 };
 
-/// The values of the particles on the surface, in the order of its vertices.
-std::vector<double> surface_values(const Cloud& cloud, std::span<const double> values);
+/// The values of the particles on the surface, `components` each, in the order of its vertices.
+std::vector<double> surface_values(const Cloud& cloud, std::span<const double> values, std::size_t components = 1);
 
 } // namespace corticle

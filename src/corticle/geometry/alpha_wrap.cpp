@@ -2,6 +2,7 @@
 #include "corticle/geometry/alpha_wrap.hpp"
 
 #include "corticle/base/parallel.hpp"
+#include "corticle/geometry/cgal_triangles.hpp"
 #include "corticle/geometry/self_intersections.hpp"
 #include "corticle/geometry/surface_tree.hpp"
 
@@ -85,21 +86,7 @@ TriangleMesh alpha_wrap(const TriangleMesh& surface, double alpha, double offset
     }
     Mesh wrap;
     CGAL::alpha_wrap_3(points, faces, alpha, offset, wrap);
-    wrap.collect_garbage();
-    TriangleMesh result;
-    for (const auto v : wrap.vertices())
-    {
-        const auto& p = wrap.point(v);
-        result.vertices.push_back({p.x(), p.y(), p.z()});
-    }
-    for (const auto f : wrap.faces())
-    {
-        const auto h = wrap.halfedge(f);
-        result.triangles.push_back({static_cast<std::int32_t>(wrap.target(h)),
-                                    static_cast<std::int32_t>(wrap.target(wrap.next(h))),
-                                    static_cast<std::int32_t>(wrap.target(wrap.next(wrap.next(h))))});
-    }
-    return result;
+    return triangles_of(wrap);
 }
 
 TriangleMesh fitted_alpha_wrap(const TriangleMesh& surface, double alpha, double offset)

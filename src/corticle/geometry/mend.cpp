@@ -2,6 +2,7 @@
 #include "corticle/geometry/mend.hpp"
 
 #include "corticle/base/error.hpp"
+#include "corticle/geometry/cgal_triangles.hpp"
 #include "corticle/geometry/surface_faults.hpp"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -38,23 +39,11 @@ std::vector<Point> points_of(const TriangleMesh& surface)
     return points;
 }
 
+/// Without the vertices that no triangle uses.
 TriangleMesh from_cgal(Mesh& mesh)
 {
-    mesh.collect_garbage();
-    TriangleMesh result;
-    for (const auto v : mesh.vertices())
-    {
-        const Point& p = mesh.point(v);
-        result.vertices.push_back({p.x(), p.y(), p.z()});
-    }
-    for (const auto f : mesh.faces())
-    {
-        const auto h = mesh.halfedge(f);
-        result.triangles.push_back({static_cast<std::int32_t>(mesh.target(h)),
-                                    static_cast<std::int32_t>(mesh.target(mesh.next(h))),
-                                    static_cast<std::int32_t>(mesh.target(mesh.next(mesh.next(h))))});
-    }
-    return kept_triangles(result, std::vector<char>(result.triangles.size(), 1)); // vertices in use
+    const TriangleMesh all = triangles_of(mesh);
+    return kept_triangles(all, std::vector<char>(all.triangles.size(), 1));
 }
 
 void fill_hole(Mesh& mesh, Mesh::Halfedge_index rim)

@@ -3,6 +3,7 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
+#include "corticle/geometry/cgal_triangles.hpp"
 #include "corticle/geometry/even_out.hpp"
 #include "corticle/geometry/surface_tree.hpp"
 #include "corticle/geometry/validate.hpp"
@@ -38,25 +39,6 @@ Mesh to_cgal(const TriangleMesh& surface)
         mesh.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2]));
     }
     return mesh;
-}
-
-TriangleMesh from_cgal(Mesh& mesh)
-{
-    mesh.collect_garbage();
-    TriangleMesh result;
-    for (const auto v : mesh.vertices())
-    {
-        const auto& p = mesh.point(v);
-        result.vertices.push_back({p.x(), p.y(), p.z()});
-    }
-    for (const auto f : mesh.faces())
-    {
-        const auto h = mesh.halfedge(f);
-        result.triangles.push_back({static_cast<std::int32_t>(mesh.target(h)),
-                                    static_cast<std::int32_t>(mesh.target(mesh.next(h))),
-                                    static_cast<std::int32_t>(mesh.target(mesh.next(mesh.next(h))))});
-    }
-    return result;
 }
 
 /// Largest distance of vertices and centroids to a surface [mm].
@@ -95,7 +77,7 @@ TriangleMesh remesh_isotropic(const TriangleMesh& surface, double edge_length, R
                              pmp::parameters::number_of_iterations(iterations)
                                  .number_of_relaxation_steps(relaxation_steps)
                                  .do_project(true));
-    TriangleMesh result = from_cgal(mesh);
+    TriangleMesh result = triangles_of(mesh);
     const SurfaceTree tree(surface.vertices, surface.triangles);
     parallel_for(static_cast<std::int64_t>(result.vertices.size()),
                  [&](std::int64_t i) { result.vertices[i] = tree.closest(result.vertices[i]).position; });

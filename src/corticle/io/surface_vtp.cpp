@@ -14,17 +14,6 @@ namespace
 /// Arrays may take this many times the bytes of the file: a compressed mesh shrinks by less than ten.
 constexpr std::size_t largest_growth = 20;
 
-const VtkXmlArray& required_array(const VtkXmlFile& file, const VtkXmlPiece& piece, const char* section,
-                                  const char* name)
-{
-    const VtkXmlArray* array = piece.find(section, name);
-    if (array == nullptr)
-    {
-        fail_reading(file.file(), fmt::format("no array {} in {}", name, section), "none", "one");
-    }
-    return *array;
-}
-
 void add_points(const VtkXmlFile& file, const VtkXmlPiece& piece, SurfaceBuilder& surface)
 {
     const std::int64_t count = piece.count("NumberOfPoints");
@@ -32,7 +21,7 @@ void add_points(const VtkXmlFile& file, const VtkXmlPiece& piece, SurfaceBuilder
     {
         return;
     }
-    const VtkXmlArray& array = required_array(file, piece, "Points", "");
+    const VtkXmlArray& array = file.required(piece, "Points", "");
     if (array.components != 3 || count > std::int64_t{1} << 40)
     {
         fail_reading(file.file(), "bad Points", fmt::format("{} points of {} components", count, array.components),
@@ -52,7 +41,7 @@ void add_polygons(const VtkXmlFile& file, const VtkXmlPiece& piece, std::int64_t
     {
         return;
     }
-    const std::vector<std::int64_t> offsets = file.integers(required_array(file, piece, "Polys", "offsets"), count);
+    const std::vector<std::int64_t> offsets = file.integers(file.required(piece, "Polys", "offsets"), count);
     std::int64_t begin = 0;
     for (const std::int64_t end : offsets)
     {
@@ -63,8 +52,7 @@ void add_polygons(const VtkXmlFile& file, const VtkXmlPiece& piece, std::int64_t
         }
         begin = end;
     }
-    std::vector<std::int64_t> corners =
-        file.integers(required_array(file, piece, "Polys", "connectivity"), offsets.back());
+    std::vector<std::int64_t> corners = file.integers(file.required(piece, "Polys", "connectivity"), offsets.back());
     for (std::int64_t& corner : corners)
     {
         // An index that names no point of its piece must not name one of another.

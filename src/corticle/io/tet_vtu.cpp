@@ -31,17 +31,6 @@ bool is_among(const std::array<std::int64_t, size>& types, std::int64_t type)
     return std::find(types.begin(), types.end(), type) != types.end();
 }
 
-const VtkXmlArray& required_array(const VtkXmlFile& file, const VtkXmlPiece& piece, const char* section,
-                                  const char* name)
-{
-    const VtkXmlArray* array = piece.find(section, name);
-    if (array == nullptr)
-    {
-        fail_reading(file.file(), fmt::format("no array {} in {}", name, section), "none", "one");
-    }
-    return *array;
-}
-
 void add_points(const VtkXmlFile& file, const VtkXmlPiece& piece, TetBuilder& mesh)
 {
     const std::int64_t count = piece.count("NumberOfPoints");
@@ -49,7 +38,7 @@ void add_points(const VtkXmlFile& file, const VtkXmlPiece& piece, TetBuilder& me
     {
         return;
     }
-    const VtkXmlArray& array = required_array(file, piece, "Points", "");
+    const VtkXmlArray& array = file.required(piece, "Points", "");
     if (array.components != 3 || count > most_entries)
     {
         fail_reading(file.file(), "bad Points", fmt::format("{} points of {} components", count, array.components),
@@ -88,8 +77,8 @@ void add_cells(const VtkXmlFile& file, const VtkXmlPiece& piece, std::int64_t fi
     {
         return;
     }
-    const std::vector<std::int64_t> offsets = file.integers(required_array(file, piece, "Cells", "offsets"), count);
-    const std::vector<std::int64_t> types = file.integers(required_array(file, piece, "Cells", "types"), count);
+    const std::vector<std::int64_t> offsets = file.integers(file.required(piece, "Cells", "offsets"), count);
+    const std::vector<std::int64_t> types = file.integers(file.required(piece, "Cells", "types"), count);
     for (std::size_t i = 0; i < offsets.size(); ++i)
     {
         const std::int64_t before = i == 0 ? 0 : offsets[i - 1];
@@ -99,8 +88,7 @@ void add_cells(const VtkXmlFile& file, const VtkXmlPiece& piece, std::int64_t fi
                          fmt::format("{} after {}", offsets[i], before), "growing offsets");
         }
     }
-    std::vector<std::int64_t> nodes =
-        file.integers(required_array(file, piece, "Cells", "connectivity"), offsets.back());
+    std::vector<std::int64_t> nodes = file.integers(file.required(piece, "Cells", "connectivity"), offsets.back());
     for (std::int64_t& node : nodes)
     {
         // An index that names no point of its piece must not name one of another.

@@ -40,16 +40,6 @@ std::int64_t point_count(const VtkXmlFile& file)
     return count;
 }
 
-const VtkXmlArray& required_array(const VtkXmlFile& file, const char* section, const char* name)
-{
-    const VtkXmlArray* array = only_piece(file).find(section, name);
-    if (array == nullptr)
-    {
-        fail_reading(file.file(), fmt::format("no array {} in {}", name, section), "none", "one");
-    }
-    return *array;
-}
-
 std::vector<Vec3> read_points(const VtkXmlFile& file)
 {
     const std::int64_t count = point_count(file);
@@ -58,7 +48,7 @@ std::vector<Vec3> read_points(const VtkXmlFile& file)
     {
         return points;
     }
-    const std::vector<double> values = file.doubles(required_array(file, "Points", ""), 3 * count);
+    const std::vector<double> values = file.doubles(file.required(only_piece(file), "Points", ""), 3 * count);
     points.reserve(static_cast<std::size_t>(count));
     for (std::size_t i = 0; i < values.size(); i += 3)
     {
@@ -92,7 +82,8 @@ std::vector<Triangle> read_triangles(const VtkXmlFile& file)
     {
         return triangles;
     }
-    const std::vector<std::int64_t> corners = file.integers(required_array(file, "Polys", "connectivity"), 3 * count);
+    const std::vector<std::int64_t> corners =
+        file.integers(file.required(only_piece(file), "Polys", "connectivity"), 3 * count);
     const std::int64_t points = point_count(file);
     triangles.resize(static_cast<std::size_t>(count));
     for (std::size_t i = 0; i < corners.size(); ++i)

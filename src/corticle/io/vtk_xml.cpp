@@ -34,6 +34,16 @@ const VtkXmlArray* VtkXmlPiece::find(std::string_view section, std::string_view 
     return nullptr;
 }
 
+const VtkXmlArray& VtkXmlFile::required(const VtkXmlPiece& piece, std::string_view section, std::string_view name) const
+{
+    const VtkXmlArray* array = piece.find(section, name);
+    if (array == nullptr)
+    {
+        fail_reading(file_, fmt::format("no array {} in {}", name, section), "none", "one");
+    }
+    return *array;
+}
+
 VtkXmlFile::VtkXmlFile(std::string_view bytes, std::string type, std::string file, std::size_t largest_growth)
     : type_(std::move(type)), file_(std::move(file)), budget_(free_growth + largest_growth * bytes.size())
 {

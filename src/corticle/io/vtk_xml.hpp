@@ -51,6 +51,9 @@ class VtkXmlFile
     const std::vector<VtkXmlPiece>& pieces() const { return pieces_; }
     const std::string& file() const { return file_; }
 
+    /// An array of a piece. @throws InputError when it is not there
+    const VtkXmlArray& required(const VtkXmlPiece& piece, std::string_view section, std::string_view name) const;
+
     /// Decodes an array of exactly `count` numbers. @throws InputError when it does not hold them.
     std::vector<double> doubles(const VtkXmlArray& array, std::int64_t count) const;
     std::vector<std::int64_t> integers(const VtkXmlArray& array, std::int64_t count) const;

@@ -55,17 +55,6 @@ void require_own_folder(const fs::path& folder)
     }
 }
 
-void make_folder(const fs::path& folder)
-{
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error)
-    {
-        throw InputError(fmt::format("--out {}: cannot be made: {}; expected a folder that can be written",
-                                     folder.string(), error.message()));
-    }
-}
-
 /// Pictures of an earlier comparison in the same folder: the new report may show others.
 void remove_earlier_pictures(const fs::path& folder)
 {
@@ -91,7 +80,7 @@ void remove_earlier_pictures(const fs::path& folder)
 template <class Comparison>
 ComparisonOutcome write(const fs::path& folder, const Comparison& comparison)
 {
-    make_folder(folder);
+    create_folder(folder);
     remove_earlier_pictures(folder);
     const Pictures pictures = draw_comparison(folder, comparison);
     ComparisonOutcome outcome{folder, comparison_json(comparison, pictures), comparison_summary(comparison), pictures};

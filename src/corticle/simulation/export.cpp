@@ -6,6 +6,7 @@
 #include "corticle/io/gifti.hpp"
 #include "corticle/io/surface_writer.hpp"
 #include "corticle/io/vtk_files.hpp"
+#include "corticle/simulation/run_files.hpp"
 
 #include <fmt/format.h>
 
@@ -150,17 +151,6 @@ std::vector<std::string> write_frame(const ExportRequest& request, const fs::pat
         }
     }
     return files;
-}
-
-void create_folder(const fs::path& out)
-{
-    std::error_code error;
-    fs::create_directories(out, error);
-    if (error || !fs::is_directory(out))
-    {
-        throw InputError(fmt::format("--out {}: cannot be made ({}); expected a folder that can be written",
-                                     out.string(), error ? error.message() : "not a folder"));
-    }
 }
 
 } // namespace

@@ -72,19 +72,6 @@ ParticleArrays particle_arrays(const Simulation& simulation, std::span<const Mat
     return a;
 }
 
-template <int components>
-std::vector<double> on_surface(const Cloud& cloud, std::span<const double> values)
-{
-    std::vector<double> result;
-    result.reserve(cloud.surface_particles.size() * components);
-    for (const std::int32_t particle : cloud.surface_particles)
-    {
-        const auto first = values.begin() + static_cast<std::ptrdiff_t>(particle) * components;
-        result.insert(result.end(), first, first + components);
-    }
-    return result;
-}
-
 } // namespace
 
 Frame make_frame(const Simulation& simulation, std::span<const Mat3> F, const PhysicalScale& scale, std::string name)
@@ -108,8 +95,8 @@ Frame make_frame(const Simulation& simulation, std::span<const Mat3> F, const Ph
         frame.particle_growth.push_back(growth_at(simulation, i));
         J.push_back(determinant(F[i]));
     }
-    frame.surface_J = on_surface<1>(cloud, J);
-    frame.surface_growth = on_surface<1>(cloud, frame.particle_growth);
+    frame.surface_J = surface_values(cloud, J);
+    frame.surface_growth = surface_values(cloud, frame.particle_growth);
     return frame;
 }
 
@@ -130,8 +117,8 @@ void write_frame(const std::filesystem::path& folder, const Simulation& simulati
     write_particles_vtu(folder / ("particles_" + frame.name + ".vtu"), frame.particles, ids, particle_fields);
 
     const std::vector<double> id(cloud.surface_particles.begin(), cloud.surface_particles.end());
-    const std::vector<double> theta = on_surface<1>(cloud, frame.theta);
-    const std::vector<double> displacement = on_surface<3>(cloud, a.displacement);
+    const std::vector<double> theta = surface_values(cloud, frame.theta);
+    const std::vector<double> displacement = surface_values(cloud, a.displacement, 3);
     const Curvature& curvature = arrays.folds.curvature;
     const std::vector surface_fields{Field{"J", 1, frame.surface_J},
                                      Field{"theta", 1, theta},
