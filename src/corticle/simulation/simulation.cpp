@@ -3,6 +3,7 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/metrics/surface_measures.hpp"
+#include "corticle/simulation/discretization.hpp"
 
 #include <fmt/format.h>
 
@@ -53,7 +54,7 @@ double loading_time(const Body& body, const Options& options)
 } // namespace
 
 Simulation::Simulation(Body& body, const Options& options)
-    : body_(body), options_(options), solver_(body.particles, body.tissue), mass_(body.cloud.volumes),
+    : body_(body), options_(options), solver_(make_discretization(body, options)), mass_(body.cloud.volumes),
       contact_(body.cloud.surface_triangles, body.surface.vertices, gather(mass_, body.cloud.surface_particles),
                body.cloud.spacing, options.contact),
       total_time_(loading_time(body, options)), damping_(options.dynamics.damping / total_time_),
@@ -92,7 +93,7 @@ bool Simulation::evaluate(Motion& motion, double t)
     {
         body_.tissue.set_layer(t);
     }
-    const InternalResponse internal = solver_.evaluate(motion.x, t, motion.force);
+    const InternalResponse internal = solver_->evaluate(motion.x, t, motion.force);
     if (internal.invalid_at >= 0)
     {
         internal_.invalid_at = internal.invalid_at;
@@ -175,7 +176,7 @@ void Simulation::note_onset()
 void Simulation::give_up(const Motion& motion, double t, double dt) const
 {
     const auto i = static_cast<std::size_t>(internal_.invalid_at);
-    const Mat3 F = solver_.deformation_gradients(motion.x)[i];
+    const Mat3 F = solver_->deformation_gradients(motion.x)[i];
     const Vec3 x = motion.x[i];
     const Vec3 X = body_.cloud.positions[i];
     throw RunError(fmt::format("particle {} inverted at step {}, t = {:.6g}, after {} halvings of the step (dt/T = "

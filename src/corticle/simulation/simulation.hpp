@@ -4,9 +4,9 @@
 #include "corticle/contact/surface_contact.hpp"
 #include "corticle/simulation/body.hpp"
 #include "corticle/simulation/state.hpp"
-#include "corticle/tlsph/solver.hpp"
+#include "corticle/tissue/discretization.hpp"
 
-#include <string>
+#include <memory>
 
 namespace corticle
 {
@@ -35,7 +35,7 @@ class Simulation
     /// Step the state allows now, in growth time [-].
     double step_size() const { return critical_dt_ * state_.step_scale / total_time_; }
 
-    std::vector<Mat3> deformation_gradients() const { return solver_.deformation_gradients(state_.motion.x); }
+    std::vector<Mat3> deformation_gradients() const { return solver_->deformation_gradients(state_.motion.x); }
     std::vector<Vec3> surface_positions() const;
 
   private:
@@ -45,7 +45,7 @@ class Simulation
 
     Body& body_;
     const Options& options_;
-    TlsphSolver solver_;
+    std::unique_ptr<Discretization> solver_;
     std::vector<double> mass_; ///< density 1 [mm³]
     SurfaceContact contact_;
     double total_time_; ///< T, time of t = 0..1

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/simulation/discretization.hpp"
+
+#include "corticle/tlsph/solver.hpp"
+
+namespace corticle
+{
+
+std::unique_ptr<Discretization> make_discretization(const Body& body, const Options& /*options*/)
+{
+    return std::make_unique<TlsphSolver>(body.particles, body.tissue);
+}
+
+} // namespace corticle

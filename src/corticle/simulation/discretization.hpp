@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/simulation/body.hpp"
+#include "corticle/tissue/discretization.hpp"
+
+#include <memory>
+
+namespace corticle
+{
+
+/// The discretisation the options ask for, of a prepared body, which must outlive it.
+std::unique_ptr<Discretization> make_discretization(const Body& body, const Options& options);
+
+} // namespace corticle

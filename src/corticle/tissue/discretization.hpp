@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/base/mat3.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace corticle
+{
+
+/// What one evaluation of the internal forces tells about the whole body. A material point is a particle or an element,
+/// as the discretisation has it.
+struct InternalResponse
+{
+    double elastic_energy = 0.0;   ///< sum V Psi(F) [mu_w mm³]
+    double zero_mode_energy = 0.0; ///< [mu_w mm³]
+    double growth_power = 0.0;     ///< dE/dt at fixed positions: work of growth per unit of growth time [mu_w mm³]
+    double stiffest_rate = 0.0; ///< largest wave speed at density 1 over smallest principal stretch, growth included,
+                                ///< for points one spacing apart
+    double smallest_J = 0.0;    ///< smallest det F
+    std::int64_t smallest_J_at = -1; ///< its material point
+    std::int64_t barrier_count = 0;  ///< material points whose barrier acts
+    std::int64_t invalid_at = -1; ///< first material point with det F <= 0 (where that is not allowed) or a non-finite
+                                  ///< value; -1 when the state is sound
+};
+
+/// A body cut into nodes that carry mass and material points that carry stress: says which forces the tissue exerts on
+/// its nodes for given positions and growth. Contact, integrator, measures and output know no more of it.
+class Discretization
+{
+  public:
+    Discretization() = default;
+    Discretization(const Discretization&) = delete;
+    Discretization& operator=(const Discretization&) = delete;
+    virtual ~Discretization() = default;
+
+    /// @param x  current positions of the nodes [mm]   @param t  growth time [-]
+    /// @param forces  out, one per node [mu_w mm²]: the exact negative gradient of elastic_energy + zero_mode_energy;
+    /// not set when the state is invalid
+    virtual InternalResponse evaluate(std::span<const Vec3> x, double t, std::span<Vec3> forces) = 0;
+
+    /// F at every node for given positions of the nodes.
+    virtual std::vector<Mat3> deformation_gradients(std::span<const Vec3> x) const = 0;
+};
+
+} // namespace corticle
