@@ -21,7 +21,7 @@ void report(benchmark::State& state, const Body& body)
 {
     const auto each = static_cast<double>(state.iterations());
     const auto particles = static_cast<double>(body.cloud.positions.size());
-    const auto pairs = static_cast<double>(body.particles.pairs.index.size());
+    const auto pairs = static_cast<double>(body.particles.pairs.place.size());
     state.counters["us_per_particle"] =
         benchmark::Counter(each * particles * 1e-6, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
     state.counters["ns_per_pair"] =

@@ -71,7 +71,7 @@ void require_good_gradients(const TetCloud& result)
     const SurfaceTree tree(result.surface.vertices, result.surface.triangles);
     const TlsphOptions options;
     Neighbors pairs = find_neighbors(result.cloud, tree, options.support * result.cloud.spacing);
-    EXPECT_NO_THROW(make_particles(result.cloud, std::move(pairs), options));
+    EXPECT_NO_THROW(make_particles(result.cloud, pairs, options));
 }
 
 void expect_consistent(const TetCloud& result)

@@ -42,8 +42,8 @@ TEST(BodyFile, ReadsBackToTheSameBits)
     EXPECT_EQ(body.tissue.growth_onset, written.tissue.growth_onset);
     EXPECT_EQ(body.tissue.growth_rate, written.tissue.growth_rate);
     EXPECT_EQ(body.tissue.thickness, written.tissue.thickness);
-    EXPECT_EQ(body.particles.pairs.index, written.particles.pairs.index);
-    EXPECT_EQ(body.particles.weight, written.particles.weight);
+    EXPECT_EQ(body.particles.pairs.place, written.particles.pairs.place);
+    EXPECT_EQ(body.particles.pairs.weight, written.particles.pairs.weight);
 }
 
 TEST(BodyFile, TissueMayDifferAndGeometryMayNot)

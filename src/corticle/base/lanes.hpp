@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/base/vec3.hpp"
+#include <cstdint>
 
 namespace corticle
 {
 
-/// Four doubles in one SIMD register (or two, or four scalars, as the processor has it): a Vec3 and its fourth lane.
-using Lanes = double __attribute__((vector_size(32), may_alias));
+/// Eight doubles in one SIMD register, or in two or four, as the processor has it.
+using WideLanes = double __attribute__((vector_size(64), may_alias));
+inline constexpr std::int64_t wide_lanes = 8;
 
 #define CORTICLE_INLINE [[gnu::always_inline]] inline
 
@@ -19,13 +20,11 @@ using Lanes = double __attribute__((vector_size(32), may_alias));
 #define CORTICLE_EVERY_ISA
 #endif
 
-CORTICLE_INLINE const Lanes& lanes(const Vec3& v)
+/// Eight of the floats that follow an address, in double precision.
+CORTICLE_INLINE WideLanes widen(const float* first)
 {
-    return *reinterpret_cast<const Lanes*>(&v.x);
-}
-CORTICLE_INLINE Lanes& lanes(Vec3& v)
-{
-    return *reinterpret_cast<Lanes*>(&v.x);
+    using Floats = float __attribute__((vector_size(32), aligned(4), may_alias));
+    return __builtin_convertvector(*reinterpret_cast<const Floats*>(first), WideLanes);
 }
 
 } // namespace corticle

@@ -37,17 +37,28 @@ inline void set_thread_count([[maybe_unused]] int count)
 #endif
 }
 
+/// Number of the thread that calls, below thread_count().
+inline int thread_number()
+{
+#ifdef _OPENMP
+    return omp_get_thread_num();
+#else
+    return 0;
+#endif
+}
+
 /// Calls body(begin, end) for consecutive blocks of [0, count); blocks run concurrently, in any order.
 /// The body must not throw.
 template <class Body>
-void parallel_blocks(std::int64_t count, Body&& body)
+void parallel_blocks(std::int64_t count, Body&& body, std::int64_t block_size = parallel_block)
 {
-    const std::int64_t blocks = (count + parallel_block - 1) / parallel_block;
-#pragma omp parallel for schedule(dynamic, 4) if (blocks > 1)
+    const std::int64_t blocks = (count + block_size - 1) / block_size;
+    const std::int64_t chunk = std::max<std::int64_t>(1, 2 * parallel_block / block_size);
+#pragma omp parallel for schedule(dynamic, chunk) if (blocks > 1)
     for (std::int64_t block = 0; block < blocks; ++block)
     {
-        const std::int64_t begin = block * parallel_block;
-        body(begin, std::min(begin + parallel_block, count));
+        const std::int64_t begin = block * block_size;
+        body(begin, std::min(begin + block_size, count));
     }
 }
 
@@ -65,15 +76,33 @@ void parallel_for(std::int64_t count, Body&& body)
                     });
 }
 
+/// One T for every thread, for scratch memory that outlives a loop.
+template <class T>
+class PerThread
+{
+  public:
+    /// Of the calling thread; fit() must have been called since the number of threads last grew.
+    T& local() { return values_[static_cast<std::size_t>(thread_number())]; }
+    /// Call outside of parallel loops.
+    void fit() { values_.resize(std::max(values_.size(), static_cast<std::size_t>(thread_count()))); }
+
+  private:
+    std::vector<T> values_;
+};
+
 /// Folds blocks concurrently, then their results in order: `block_value(begin, end) -> T`, `join(T&, const T&)`.
 /// The result does not depend on the number of threads.
 template <class T, class BlockValue, class Join>
-T parallel_reduce(std::int64_t count, T initial, BlockValue&& block_value, Join&& join)
+T parallel_reduce(std::int64_t count, T initial, BlockValue&& block_value, Join&& join,
+                  std::int64_t block_size = parallel_block)
 {
-    const std::int64_t blocks = (count + parallel_block - 1) / parallel_block;
+    const std::int64_t blocks = (count + block_size - 1) / block_size;
     std::vector<T> partial(static_cast<std::size_t>(blocks), initial);
-    parallel_blocks(count, [&](std::int64_t begin, std::int64_t end)
-                    { partial[static_cast<std::size_t>(begin / parallel_block)] = block_value(begin, end); });
+    parallel_blocks(
+        count,
+        [&](std::int64_t begin, std::int64_t end)
+        { partial[static_cast<std::size_t>(begin / block_size)] = block_value(begin, end); },
+        block_size);
     T result = initial;
     for (const T& value : partial)
     {

@@ -206,11 +206,11 @@ void connect_body(const Options& options, Body& body)
 {
     set_layer(options, body);
     const SurfaceTree tree(body.surface.vertices, body.surface.triangles);
-    Neighbors pairs =
+    const Neighbors pairs =
         find_neighbors(body.cloud, tree, options.tlsph.support * body.cloud.spacing, &body.report.visibility);
     body.report.neighbors_mean =
         static_cast<double>(pairs.index.size()) / static_cast<double>(body.cloud.positions.size());
-    body.particles = make_particles(body.cloud, std::move(pairs), options.tlsph);
+    body.particles = make_particles(body.cloud, pairs, options.tlsph);
     const double thickness = cortex_thickness(options, body);
     if (thickness < 2.0 * body.cloud.spacing)
     {

@@ -59,18 +59,15 @@ BodyQuality measure_body_quality(const Body& body)
     const std::size_t count = cloud.positions.size();
     const double mean = std::accumulate(cloud.volumes.begin(), cloud.volumes.end(), 0.0) / static_cast<double>(count);
     BodyQuality quality{std::vector<double>(count), std::vector<double>(count), std::vector<double>(count)};
-    const Neighbors& pairs = body.particles.pairs;
+    const PairBlocks& pairs = body.particles.pairs;
     parallel_for(static_cast<std::int64_t>(count),
-                 [&](std::int64_t signed_i)
+                 [&](std::int64_t i)
                  {
-                     const auto i = static_cast<std::size_t>(signed_i);
                      double nearest = 1e300;
-                     for (auto k = static_cast<std::size_t>(pairs.begin[i]);
-                          k < static_cast<std::size_t>(pairs.begin[i + 1]); ++k)
+                     for (std::int64_t k = pairs.begin[i]; k < pairs.begin[i + 1]; ++k)
                      {
-                         nearest =
-                             std::min(nearest, squared_norm(cloud.positions[i] -
-                                                            cloud.positions[static_cast<std::size_t>(pairs.index[k])]));
+                         nearest = std::min(nearest,
+                                            squared_norm(cloud.positions[i] - cloud.positions[pairs.neighbor(i, k)]));
                      }
                      quality.nearest_distance[i] = std::sqrt(nearest) / cloud.spacing;
                      quality.volume_over_mean[i] = cloud.volumes[i] / mean;

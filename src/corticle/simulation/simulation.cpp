@@ -187,7 +187,7 @@ void Simulation::give_up(const Motion& motion, double t, double dt) const
                                i, state_.steps + 1, t, options_.dynamics.max_halvings, dt / total_time_, x.x, x.y, x.z,
                                X.x, X.y, X.z, body_.tissue.depth[i], determinant(F), F(0, 0), F(0, 1), F(0, 2), F(1, 0),
                                F(1, 1), F(1, 2), F(2, 0), F(2, 1), F(2, 2),
-                               body_.particles.pairs.begin[i + 1] - body_.particles.pairs.begin[i]));
+                               body_.particles.pairs.size(internal_.invalid_at)));
 }
 
 } // namespace corticle

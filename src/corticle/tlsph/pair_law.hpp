@@ -6,19 +6,69 @@
 
 #include <cstdint>
 
-// Sums over the neighbours of one particle. They know neither threads nor materials. Symbols as in
-// docs/theory/tlsph.md.
+// What pairs contribute to F and to the forces, and the sum over the neighbours of one particle. They know neither
+// threads nor materials. Symbols as in docs/theory/tlsph.md.
+//
+// Both sums are of differences X_j - X_i and x_j - x_i. Multiplied out, what depends on i leaves the sum, and what is
+// left, sum_j w_ij (thirteen numbers of j), needs no arithmetic on pairs but the multiplication with the weight. A
+// prime marks positions relative to an origin close by (that of the block), so that no digits are lost.
 
 namespace corticle
 {
 
+/// What one neighbour contributes, or a sum of such: two SIMD registers of eight doubles.
+struct alignas(64) PairTerms
+{
+    Mat3 matrix;
+    Vec3 vector; ///< its fourth lane holds a scalar of its own
+};
+
 /// The neighbours j of one particle i.
 struct NeighborRange
 {
-    const std::int32_t* index; ///< j
-    const float* weight;       ///< w_ij = V_i V_j omega_ij
+    const std::uint16_t* place; ///< of j in the table of terms
+    const float* weight;        ///< w_ij
     std::int64_t count;
 };
+
+/// sum_j w_ij terms_j
+CORTICLE_INLINE void sum_terms(const NeighborRange& neighbors, const PairTerms* terms, PairTerms& sum)
+{
+    // Four pairs of sums, not one: each waits only for its own last addition.
+    constexpr std::int64_t stride = 4;
+    WideLanes low[stride]{};
+    WideLanes high[stride]{};
+    const auto add = [&](std::int64_t s, double w, const PairTerms& term)
+    {
+        const auto* lanes = reinterpret_cast<const WideLanes*>(&term);
+        low[s] += w * lanes[0];
+        high[s] += w * lanes[1];
+    };
+    std::int64_t k = 0;
+    for (; k + wide_lanes <= neighbors.count; k += wide_lanes)
+    {
+        const WideLanes w = widen(neighbors.weight + k);
+        for (std::int64_t m = 0; m < wide_lanes; ++m)
+        {
+            add(m % stride, w[m], terms[neighbors.place[k + m]]);
+        }
+    }
+    for (; k < neighbors.count; ++k)
+    {
+        add(0, static_cast<double>(neighbors.weight[k]), terms[neighbors.place[k]]);
+    }
+    auto* result = reinterpret_cast<WideLanes*>(&sum);
+    result[0] = (low[0] + low[1]) + (low[2] + low[3]);
+    result[1] = (high[0] + high[1]) + (high[2] + high[3]);
+}
+
+/// What particle j contributes to F of its neighbours: x' X'^T, x' and |x'|².
+CORTICLE_INLINE PairTerms deformation_terms(const Vec3& X, const Vec3& x)
+{
+    PairTerms terms{outer(x, X), x};
+    terms.vector.lane = squared_norm(x);
+    return terms;
+}
 
 /// What the deformation pass needs of the pairs of one particle.
 struct DeformationSums
@@ -28,36 +78,13 @@ struct DeformationSums
     double squared_lengths = 0.; ///< sum_j w_ij |x_ij|²
 };
 
-/// @param X  reference positions [mm]   @param x  current positions [mm]
-CORTICLE_INLINE DeformationSums sum_deformation(std::int64_t i, const NeighborRange& neighbors, const Vec3* X,
-                                                const Vec3* x)
+/// @param sum  of the deformation_terms of the neighbours of i   @param X,x  X_i', x_i'
+/// @param weighted_sum  b_i = sum_j w_ij X_ij; its fourth lane holds sum_j w_ij
+CORTICLE_INLINE DeformationSums deformation_sums(const PairTerms& sum, const Vec3& X, const Vec3& x,
+                                                 const Vec3& weighted_sum)
 {
-    const Lanes X_i = lanes(X[i]);
-    const Lanes x_i = lanes(x[i]);
-    Lanes column_x{};
-    Lanes column_y{};
-    Lanes column_z{};
-    Lanes sum{};
-    Lanes squares{};
-    for (std::int64_t k = 0; k < neighbors.count; ++k)
-    {
-        const std::int32_t j = neighbors.index[k];
-        const Lanes X_ij = lanes(X[j]) - X_i;
-        const Lanes x_ij = lanes(x[j]) - x_i;
-        const Lanes weighted = static_cast<double>(neighbors.weight[k]) * x_ij;
-        column_x += X_ij[0] * weighted;
-        column_y += X_ij[1] * weighted;
-        column_z += X_ij[2] * weighted;
-        sum += weighted;
-        squares += weighted * x_ij;
-    }
-    DeformationSums result;
-    result.moment = {{{column_x[0], column_x[1], column_x[2]},
-                      {column_y[0], column_y[1], column_y[2]},
-                      {column_z[0], column_z[1], column_z[2]}}};
-    result.weighted_sum = {sum[0], sum[1], sum[2]};
-    result.squared_lengths = squares[0] + squares[1] + squares[2];
-    return result;
+    return {sum.matrix - outer(sum.vector, X) - outer(x, weighted_sum), sum.vector - weighted_sum.lane * x,
+            sum.vector.lane - 2.0 * dot(x, sum.vector) + weighted_sum.lane * squared_norm(x)};
 }
 
 /// What the force pass reads of a neighbour: two cache lines.
@@ -67,31 +94,19 @@ struct alignas(64) ForceRecord
     Vec3 x; ///< current position [mm]; its fourth lane holds zeta_i
 };
 
-/// sum_j w_ij (M_j X_ij + zeta_j x_ij), the part of the force on particle i that its neighbours' states make.
-CORTICLE_INLINE Vec3 sum_force(std::int64_t i, const NeighborRange& neighbors, const Vec3* X,
-                               const ForceRecord* records)
+/// What particle j contributes to the force on its neighbours: M_j, M_j X_j' + zeta_j x_j' and zeta_j.
+CORTICLE_INLINE PairTerms force_terms(const Mat3& M, double zeta, const Vec3& X, const Vec3& x)
 {
-    const Lanes X_i = lanes(X[i]);
-    const Lanes x_i = lanes(records[i].x);
-    // Four sums, not one: each waits only for its own last addition.
-    Lanes from_x{};
-    Lanes from_y{};
-    Lanes from_z{};
-    Lanes from_zeta{};
-    for (std::int64_t k = 0; k < neighbors.count; ++k)
-    {
-        const std::int32_t j = neighbors.index[k];
-        const ForceRecord& record = records[j];
-        const double w = static_cast<double>(neighbors.weight[k]);
-        const Lanes X_ij = w * (lanes(X[j]) - X_i);
-        const Lanes x_j = lanes(record.x);
-        from_x += X_ij[0] * lanes(record.M.column[0]);
-        from_y += X_ij[1] * lanes(record.M.column[1]);
-        from_z += X_ij[2] * lanes(record.M.column[2]);
-        from_zeta += (w * x_j[3]) * (x_j - x_i);
-    }
-    const Lanes force = (from_x + from_y) + (from_z + from_zeta);
-    return {force[0], force[1], force[2]};
+    PairTerms terms{M, M * X + zeta * x};
+    terms.vector.lane = zeta;
+    return terms;
+}
+
+/// sum_j w_ij (M_j X_ij + zeta_j x_ij), the part of the force on particle i that its neighbours' states make.
+/// @param sum  of their force_terms   @param X,x  X_i', x_i'
+CORTICLE_INLINE Vec3 neighbors_force(const PairTerms& sum, const Vec3& X, const Vec3& x)
+{
+    return sum.vector - sum.matrix * X - sum.vector.lane * x;
 }
 
 } // namespace corticle

@@ -48,9 +48,8 @@ void require_well_conditioned(const Particles& particles, std::span<const double
                                      "({:.4g}, {:.4g}, {:.4g}) mm "
                                      "with {} neighbours: got condition {:.3g}, expected at most {}; use a finer "
                                      "spacing or a larger solver.support",
-                                     bad, particles.X.size(), worst, X.x, X.y, X.z,
-                                     particles.pairs.begin[worst + 1] - particles.pairs.begin[worst], condition[worst],
-                                     largest_condition));
+                                     bad, particles.X.size(), worst, X.x, X.y, X.z, particles.pairs.size(worst),
+                                     condition[worst], largest_condition));
     }
 }
 
@@ -62,34 +61,35 @@ double condition_number(const Mat3& symmetric)
     return eigenvalues[2] > 0.0 ? eigenvalues[0] / eigenvalues[2] : std::numeric_limits<double>::infinity();
 }
 
-Particles make_particles(const Cloud& cloud, Neighbors pairs, const TlsphOptions& options)
+Particles make_particles(const Cloud& cloud, const Neighbors& neighbors, const TlsphOptions& options)
 {
-    Particles particles{cloud.positions, cloud.volumes, std::move(pairs), {}, {}, {}, options, cloud.spacing};
+    Particles particles{cloud.positions, cloud.volumes, make_pair_blocks(neighbors), {}, {}, options, cloud.spacing};
     const std::size_t count = particles.X.size();
     const double support = options.support * cloud.spacing;
-    particles.weight.resize(particles.pairs.index.size());
     particles.correction.resize(count);
     particles.weighted_sum.resize(count);
     std::vector<double> condition(count);
-    parallel_for(static_cast<std::int64_t>(count),
-                 [&](std::int64_t signed_i)
+    parallel_for(std::ssize(particles.X),
+                 [&](std::int64_t i)
                  {
-                     const auto i = static_cast<std::size_t>(signed_i);
                      Mat3 shape;
                      Vec3 sum;
-                     for (auto k = static_cast<std::size_t>(particles.pairs.begin[i]);
-                          k < static_cast<std::size_t>(particles.pairs.begin[i + 1]); ++k)
+                     double weights = 0.0;
+                     for (std::int64_t k = neighbors.begin[i]; k < neighbors.begin[i + 1]; ++k)
                      {
-                         const auto j = static_cast<std::size_t>(particles.pairs.index[k]);
+                         const std::int32_t j = neighbors.index[k];
                          const Vec3 X_ij = particles.X[j] - particles.X[i];
                          const double volumes = particles.volume[i] * particles.volume[j];
-                         const auto w = static_cast<float>(volumes * pair_weight(norm(X_ij), support));
-                         particles.weight[k] = w;
-                         shape += static_cast<double>(w) * outer(X_ij, X_ij);
-                         sum += static_cast<double>(w) * X_ij;
+                         const auto rounded = static_cast<float>(volumes * pair_weight(norm(X_ij), support));
+                         particles.pairs.weight[k] = rounded;
+                         const auto w = static_cast<double>(rounded);
+                         shape += w * outer(X_ij, X_ij);
+                         sum += w * X_ij;
+                         weights += w;
                      }
                      condition[i] = condition_number(shape);
                      particles.correction[i] = inverse(shape);
+                     sum.lane = weights;
                      particles.weighted_sum[i] = sum;
                  });
     require_well_conditioned(particles, condition);

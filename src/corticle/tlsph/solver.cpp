@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/tlsph/solver.hpp"
 
-#include "corticle/base/parallel.hpp"
 #include "corticle/tissue/growth.hpp"
 #include "corticle/tissue/neo_hookean.hpp"
 
@@ -13,19 +12,55 @@ namespace corticle
 namespace
 {
 
-struct PassInput
+/// A block of particles: its place in the pairs, and the origin of its primed positions.
+struct Block
 {
     const Particles& particles;
+    std::int64_t begin; ///< first particle
+    std::int64_t end;
+    Vec3 X_origin;
+    Vec3 x_origin;
+
+    CORTICLE_INLINE NeighborRange neighbors(std::int64_t i) const
+    {
+        const PairBlocks& pairs = particles.pairs;
+        const std::int64_t first = pairs.begin[i];
+        return {pairs.place.data() + first, pairs.weight.data() + first, pairs.begin[i + 1] - first};
+    }
+    std::span<const std::int32_t> table() const { return particles.pairs.table_of(begin / particles.pairs.block_size); }
+};
+
+Block block_of(const Particles& particles, std::span<const Vec3> x, std::int64_t begin, std::int64_t end)
+{
+    const std::int64_t middle = begin + (end - begin) / 2;
+    return {particles, begin, end, particles.X[middle], x[middle]};
+}
+
+struct PassInput
+{
     const Tissue& tissue;
     double t;
     const Vec3* x;
 };
 
-CORTICLE_INLINE NeighborRange neighbors_of(const Particles& particles, std::int64_t i)
+CORTICLE_INLINE void fill_deformation_terms(const Block& block, const Vec3* x, std::vector<PairTerms>& terms)
 {
-    const std::int64_t begin = particles.pairs.begin[static_cast<std::size_t>(i)];
-    return {particles.pairs.index.data() + begin, particles.weight.data() + begin,
-            particles.pairs.begin[static_cast<std::size_t>(i) + 1] - begin};
+    const auto table = block.table();
+    terms.resize(table.size());
+    for (std::size_t m = 0; m < table.size(); ++m)
+    {
+        const std::int32_t j = table[m];
+        terms[m] = deformation_terms(block.particles.X[j] - block.X_origin, x[j] - block.x_origin);
+    }
+}
+
+CORTICLE_INLINE DeformationSums sum_deformation(const Block& block, const Vec3* x, std::int64_t i,
+                                                const std::vector<PairTerms>& terms)
+{
+    PairTerms sum;
+    sum_terms(block.neighbors(i), terms.data(), sum);
+    return deformation_sums(sum, block.particles.X[i] - block.X_origin, x[i] - block.x_origin,
+                            block.particles.weighted_sum[i]);
 }
 
 /// An upper bound of 1 / (smallest singular value of F): sqrt of the bound m + sqrt(2) s of the largest eigenvalue
@@ -42,14 +77,12 @@ CORTICLE_INLINE double largest_compression(const Mat3& cofactor_F, double J)
 /// Stress, energies and the force record of one particle. Writes to `own_force` the part of its force that its own
 /// state makes. `plain`: growth is that of Tissue::grows_plainly, which the compiler then gets to see.
 template <bool plain>
-CORTICLE_INLINE void respond(const PassInput& in, std::int64_t signed_i, ForceRecord& record, Vec3& own_force,
-                             InternalResponse& sum)
+CORTICLE_INLINE void respond(const Particles& particles, const PassInput& in, std::int64_t signed_i,
+                             const DeformationSums& sums, ForceRecord& record, Vec3& own_force, InternalResponse& sum)
 {
     const auto i = static_cast<std::size_t>(signed_i);
     const Tissue& tissue = in.tissue;
-    const DeformationSums sums =
-        sum_deformation(signed_i, neighbors_of(in.particles, signed_i), in.particles.X.data(), in.x);
-    const Mat3 F = sums.moment * in.particles.correction[i];
+    const Mat3 F = sums.moment * particles.correction[i];
     const Mat3 cofactor_F = cofactor(F);
     const double J = dot(F.column[0], cofactor_F.column[0]);
     if (J < sum.smallest_J)
@@ -72,11 +105,11 @@ CORTICLE_INLINE void respond(const PassInput& in, std::int64_t signed_i, ForceRe
     const Mat3 F_e = F * inverse_G;
     const NeoHookean law{point.shear_modulus, point.bulk_modulus, tissue.options.barrier_J};
     const ElasticResponse elastic = law.respond(F_e);
-    const double volume = in.particles.volume[i];
+    const double volume = particles.volume[i];
     // Growth stiffens the tangent pulled back to the reference by det G / (smallest growth)²: g_t² where g_r = 1.
     const bool flat = plain || g_r <= g;
     const double ratio = flat ? g / g_r : 1.0;
-    const double zeta = in.particles.options.zeta * point.shear_modulus * ratio * ratio * g_r;
+    const double zeta = particles.options.zeta * point.shear_modulus * ratio * ratio * g_r;
 
     const double density = elastic.deviatoric_energy + elastic.volumetric_energy;
     const double zero_mode = 0.5 * zeta * (sums.squared_lengths - contract(sums.moment, F));
@@ -101,36 +134,63 @@ CORTICLE_INLINE void respond(const PassInput& in, std::int64_t signed_i, ForceRe
     sum.barrier_count += J < tissue.options.barrier_J * g * g * g_r ? 1 : 0;
 
     const Mat3 P = (g * g * g_r) * (elastic.stress * inverse_G);
-    record.M = volume * (P * in.particles.correction[i]) - zeta * F;
+    record.M = volume * (P * particles.correction[i]) - zeta * F;
     record.x = in.x[i];
     record.x.lane = zeta;
-    own_force = record.M * in.particles.weighted_sum[i] + zeta * sums.weighted_sum;
+    own_force = record.M * particles.weighted_sum[i] + zeta * sums.weighted_sum;
 }
 
-CORTICLE_EVERY_ISA void deformation_block(const PassInput& in, std::int64_t begin, std::int64_t end,
+template <bool plain>
+CORTICLE_INLINE void deform(const Block& block, const PassInput& in, std::vector<PairTerms>& terms,
+                            ForceRecord* records, Vec3* forces, InternalResponse& sum)
+{
+    fill_deformation_terms(block, in.x, terms);
+    for (std::int64_t i = block.begin; i < block.end; ++i)
+    {
+        const DeformationSums sums = sum_deformation(block, in.x, i, terms);
+        respond<plain>(block.particles, in, i, sums, records[i], forces[i], sum);
+    }
+}
+
+CORTICLE_EVERY_ISA void deformation_block(const Block& block, const PassInput& in, std::vector<PairTerms>& terms,
                                           ForceRecord* records, Vec3* forces, InternalResponse& sum)
 {
-    for (std::int64_t i = begin; i < end; ++i)
+    deform<true>(block, in, terms, records, forces, sum);
+}
+
+CORTICLE_EVERY_ISA void general_deformation_block(const Block& block, const PassInput& in,
+                                                  std::vector<PairTerms>& terms, ForceRecord* records, Vec3* forces,
+                                                  InternalResponse& sum)
+{
+    deform<false>(block, in, terms, records, forces, sum);
+}
+
+CORTICLE_EVERY_ISA void force_block(const Block& block, std::vector<PairTerms>& terms, const ForceRecord* records,
+                                    Vec3* forces)
+{
+    const auto table = block.table();
+    const std::vector<Vec3>& X = block.particles.X;
+    terms.resize(table.size());
+    for (std::size_t m = 0; m < table.size(); ++m)
     {
-        respond<true>(in, i, records[i], forces[i], sum);
+        const std::int32_t j = table[m];
+        const ForceRecord& record = records[j];
+        terms[m] = force_terms(record.M, record.x.lane, X[j] - block.X_origin, record.x - block.x_origin);
+    }
+    for (std::int64_t i = block.begin; i < block.end; ++i)
+    {
+        PairTerms sum;
+        sum_terms(block.neighbors(i), terms.data(), sum);
+        forces[i] += neighbors_force(sum, X[i] - block.X_origin, records[i].x - block.x_origin);
     }
 }
 
-CORTICLE_EVERY_ISA void general_deformation_block(const PassInput& in, std::int64_t begin, std::int64_t end,
-                                                  ForceRecord* records, Vec3* forces, InternalResponse& sum)
+CORTICLE_EVERY_ISA void gradient_block(const Block& block, const Vec3* x, std::vector<PairTerms>& terms, Mat3* F)
 {
-    for (std::int64_t i = begin; i < end; ++i)
+    fill_deformation_terms(block, x, terms);
+    for (std::int64_t i = block.begin; i < block.end; ++i)
     {
-        respond<false>(in, i, records[i], forces[i], sum);
-    }
-}
-
-CORTICLE_EVERY_ISA void force_block(const Particles& particles, std::int64_t begin, std::int64_t end,
-                                    const ForceRecord* records, Vec3* forces)
-{
-    for (std::int64_t i = begin; i < end; ++i)
-    {
-        forces[i] += sum_force(i, neighbors_of(particles, i), particles.X.data(), records);
+        F[i] = sum_deformation(block, x, i, terms).moment * block.particles.correction[i];
     }
 }
 
@@ -158,24 +218,32 @@ TlsphSolver::TlsphSolver(const Particles& particles, const Tissue& tissue)
 
 InternalResponse TlsphSolver::evaluate(std::span<const Vec3> x, double t, std::span<Vec3> forces)
 {
-    const PassInput in{particles_, tissue_, t, x.data()};
-    const auto block = tissue_.grows_plainly() ? deformation_block : general_deformation_block;
+    const PassInput in{tissue_, t, x.data()};
+    const auto deformation = tissue_.grows_plainly() ? deformation_block : general_deformation_block;
     InternalResponse initial;
     initial.smallest_J = std::numeric_limits<double>::infinity();
-    const auto count = static_cast<std::int64_t>(x.size());
+    const std::int64_t count = std::ssize(x);
+    terms_.fit();
     InternalResponse total = parallel_reduce(
         count, initial,
         [&](std::int64_t begin, std::int64_t end)
         {
             InternalResponse part = initial;
-            block(in, begin, end, records_.data(), forces.data(), part);
+            const Block block = block_of(particles_, x, begin, end);
+            deformation(block, in, terms_.local(), records_.data(), forces.data(), part);
             return part;
         },
-        join);
+        join, particles_.pairs.block_size);
     if (total.invalid_at < 0)
     {
-        parallel_blocks(count, [&](std::int64_t begin, std::int64_t end)
-                        { force_block(particles_, begin, end, records_.data(), forces.data()); });
+        parallel_blocks(
+            count,
+            [&](std::int64_t begin, std::int64_t end)
+            {
+                const Block block = block_of(particles_, x, begin, end);
+                force_block(block, terms_.local(), records_.data(), forces.data());
+            },
+            particles_.pairs.block_size);
         // A non-finite position spreads into its neighbours' J, which the test above sees; energies see the rest.
         if (!std::isfinite(total.elastic_energy + total.zero_mode_energy))
         {
@@ -188,13 +256,16 @@ InternalResponse TlsphSolver::evaluate(std::span<const Vec3> x, double t, std::s
 std::vector<Mat3> TlsphSolver::deformation_gradients(std::span<const Vec3> x) const
 {
     std::vector<Mat3> F(x.size());
-    parallel_for(static_cast<std::int64_t>(x.size()),
-                 [&](std::int64_t i)
-                 {
-                     const DeformationSums sums =
-                         sum_deformation(i, neighbors_of(particles_, i), particles_.X.data(), x.data());
-                     F[static_cast<std::size_t>(i)] = sums.moment * particles_.correction[static_cast<std::size_t>(i)];
-                 });
+    PerThread<std::vector<PairTerms>> terms;
+    terms.fit();
+    parallel_blocks(
+        std::ssize(x),
+        [&](std::int64_t begin, std::int64_t end)
+        {
+            const Block block = block_of(particles_, x, begin, end);
+            gradient_block(block, x.data(), terms.local(), F.data());
+        },
+        particles_.pairs.block_size);
     return F;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "corticle/base/parallel.hpp"
 #include "corticle/tissue/discretization.hpp"
 #include "corticle/tissue/tissue.hpp"
 #include "corticle/tlsph/pair_law.hpp"
@@ -25,6 +26,7 @@ class TlsphSolver final : public Discretization
     const Particles& particles_;
     const Tissue& tissue_;
     std::vector<ForceRecord> records_;
+    PerThread<std::vector<PairTerms>> terms_; ///< of the block at hand
 };
 
 } // namespace corticle
