@@ -73,7 +73,7 @@ TEST(Curvature, OfAnEllipsoid)
     const Curvature c = vertex_curvature(mesh.vertices, mesh.triangles);
     const double abc = axes.x * axes.y * axes.z;
     const auto squared_gradient = [&](const Vec3& x) {
-        return squared_norm({x.x / (axes.x * axes.x), x.y / (axes.y * axes.y), x.z / (axes.z * axes.z)});
+        return squared_norm(Vec3{x.x / (axes.x * axes.x), x.y / (axes.y * axes.y), x.z / (axes.z * axes.z)});
     };
     // do Carmo, Differential Geometry, sections 3-3 and 4-3.
     const auto mean = [&](const Vec3& x)

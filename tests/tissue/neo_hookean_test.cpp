@@ -18,7 +18,7 @@ constexpr NeoHookean law{1.0, 5.0, 0.0};
 
 Mat3 from_rows(const Vec3& a, const Vec3& b, const Vec3& c)
 {
-    return transpose({{a, b, c}});
+    return transpose(Mat3{{a, b, c}});
 }
 
 const Mat3 general = from_rows({1.1, 0.2, -0.1}, {0.05, 0.9, 0.15}, {-0.2, 0.1, 1.05});

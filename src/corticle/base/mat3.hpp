@@ -7,73 +7,96 @@ namespace corticle
 {
 
 /// A 3x3 matrix stored by columns: `column[j][i]` is row i, column j.
-struct Mat3
+template <RealLike Real>
+struct BasicMat3
 {
-    Vec3 column[3];
+    BasicVec3<Real> column[3];
 
-    constexpr double& operator()(int row, int col) { return column[col][row]; }
-    constexpr double operator()(int row, int col) const { return column[col][row]; }
+    constexpr Real& operator()(int row, int col) { return column[col][row]; }
+    constexpr const Real& operator()(int row, int col) const { return column[col][row]; }
 
-    static constexpr Mat3 identity() { return {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}; }
-    static constexpr Mat3 diagonal(double a, double b, double c) { return {{{a, 0, 0}, {0, b, 0}, {0, 0, c}}}; }
+    static constexpr BasicMat3 identity()
+    {
+        const Real one = broadcast<Real>(1.0);
+        return diagonal(one, one, one);
+    }
+    static constexpr BasicMat3 diagonal(const Real& a, const Real& b, const Real& c)
+    {
+        const Real zero{};
+        return {{{a, zero, zero}, {zero, b, zero}, {zero, zero, c}}};
+    }
 };
+using Mat3 = BasicMat3<double>;
 
-constexpr Vec3 operator*(const Mat3& a, const Vec3& v)
+template <RealLike Real>
+CORTICLE_INLINE constexpr BasicVec3<Real> operator*(const BasicMat3<Real>& a, const BasicVec3<Real>& v)
 {
     return v.x * a.column[0] + v.y * a.column[1] + v.z * a.column[2];
 }
-constexpr Mat3 operator*(const Mat3& a, const Mat3& b)
+template <RealLike Real>
+CORTICLE_INLINE constexpr BasicMat3<Real> operator*(const BasicMat3<Real>& a, const BasicMat3<Real>& b)
 {
     return {{a * b.column[0], a * b.column[1], a * b.column[2]}};
 }
-constexpr Mat3 operator*(double s, const Mat3& a)
+template <RealLike Real, FactorOf<Real> Factor>
+CORTICLE_INLINE constexpr BasicMat3<Real> operator*(const Factor& s, const BasicMat3<Real>& a)
 {
     return {{s * a.column[0], s * a.column[1], s * a.column[2]}};
 }
-constexpr Mat3 operator+(const Mat3& a, const Mat3& b)
+template <RealLike Real>
+CORTICLE_INLINE constexpr BasicMat3<Real> operator+(const BasicMat3<Real>& a, const BasicMat3<Real>& b)
 {
     return {{a.column[0] + b.column[0], a.column[1] + b.column[1], a.column[2] + b.column[2]}};
 }
-constexpr Mat3 operator-(const Mat3& a, const Mat3& b)
+template <RealLike Real>
+CORTICLE_INLINE constexpr BasicMat3<Real> operator-(const BasicMat3<Real>& a, const BasicMat3<Real>& b)
 {
     return a + (-1.0) * b;
 }
-constexpr Mat3& operator+=(Mat3& a, const Mat3& b)
+template <RealLike Real>
+CORTICLE_INLINE constexpr BasicMat3<Real>& operator+=(BasicMat3<Real>& a, const BasicMat3<Real>& b)
 {
     return a = a + b;
 }
 
 /// a b^T
-constexpr Mat3 outer(const Vec3& a, const Vec3& b)
+template <RealLike Real>
+CORTICLE_INLINE constexpr BasicMat3<Real> outer(const BasicVec3<Real>& a, const BasicVec3<Real>& b)
 {
     return {{b.x * a, b.y * a, b.z * a}};
 }
-constexpr Mat3 transpose(const Mat3& a)
+template <RealLike Real>
+CORTICLE_INLINE constexpr BasicMat3<Real> transpose(const BasicMat3<Real>& a)
 {
     return {{{a.column[0].x, a.column[1].x, a.column[2].x},
              {a.column[0].y, a.column[1].y, a.column[2].y},
              {a.column[0].z, a.column[1].z, a.column[2].z}}};
 }
-constexpr double trace(const Mat3& a)
+template <RealLike Real>
+CORTICLE_INLINE constexpr Real trace(const BasicMat3<Real>& a)
 {
     return a.column[0].x + a.column[1].y + a.column[2].z;
 }
-constexpr double determinant(const Mat3& a)
+template <RealLike Real>
+CORTICLE_INLINE constexpr Real determinant(const BasicMat3<Real>& a)
 {
     return dot(a.column[0], cross(a.column[1], a.column[2]));
 }
 /// det(a) a^-T: its columns are the cross products of the columns of a.
-constexpr Mat3 cofactor(const Mat3& a)
+template <RealLike Real>
+CORTICLE_INLINE constexpr BasicMat3<Real> cofactor(const BasicMat3<Real>& a)
 {
     return {{cross(a.column[1], a.column[2]), cross(a.column[2], a.column[0]), cross(a.column[0], a.column[1])}};
 }
 /// a^-1; not finite where a is singular.
-constexpr Mat3 inverse(const Mat3& a)
+template <RealLike Real>
+CORTICLE_INLINE constexpr BasicMat3<Real> inverse(const BasicMat3<Real>& a)
 {
     return (1.0 / determinant(a)) * transpose(cofactor(a));
 }
 /// sum_ij a_ij b_ij
-constexpr double contract(const Mat3& a, const Mat3& b)
+template <RealLike Real>
+CORTICLE_INLINE constexpr Real contract(const BasicMat3<Real>& a, const BasicMat3<Real>& b)
 {
     return dot(a.column[0], b.column[0]) + dot(a.column[1], b.column[1]) + dot(a.column[2], b.column[2]);
 }

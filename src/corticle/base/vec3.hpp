@@ -1,70 +1,91 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "corticle/base/lanes.hpp"
+
 #include <cmath>
 
 namespace corticle
 {
 
-/// A vector of three doubles, aligned to 32 bytes so that one load brings it into a SIMD register.
-struct alignas(32) Vec3
+/// A vector of three numbers. Those of doubles are aligned to 32 bytes, so that one load brings one into a SIMD
+/// register.
+template <RealLike Real>
+struct alignas(sizeof(Real) == sizeof(double) ? 32 : alignof(Real)) BasicVec3
 {
-    double x = 0.0;
-    double y = 0.0;
-    double z = 0.0;
-    double lane = 0.0; ///< fills the register; stays zero
+    Real x{};
+    Real y{};
+    Real z{};
+    Real lane{}; ///< fills the register; zero, or a number that belongs to the vector
 
-    constexpr double& operator[](int axis) { return axis == 0 ? x : (axis == 1 ? y : z); }
-    constexpr double operator[](int axis) const { return axis == 0 ? x : (axis == 1 ? y : z); }
-    friend constexpr bool operator==(const Vec3& a, const Vec3& b) = default;
+    constexpr Real& operator[](int axis) { return axis == 0 ? x : (axis == 1 ? y : z); }
+    constexpr const Real& operator[](int axis) const { return axis == 0 ? x : (axis == 1 ? y : z); }
+    friend constexpr bool operator==(const BasicVec3& a, const BasicVec3& b) = default;
 };
+using Vec3 = BasicVec3<double>;
 
-constexpr Vec3 operator+(const Vec3& a, const Vec3& b)
+/// A factor that a vector of Real can be multiplied with.
+template <class Factor, class Real>
+concept FactorOf = std::same_as<Factor, Real> || std::integral<Factor> || std::floating_point<Factor>;
+
+template <RealLike Real>
+CORTICLE_INLINE constexpr BasicVec3<Real> operator+(const BasicVec3<Real>& a, const BasicVec3<Real>& b)
 {
     return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
-constexpr Vec3 operator-(const Vec3& a, const Vec3& b)
+template <RealLike Real>
+CORTICLE_INLINE constexpr BasicVec3<Real> operator-(const BasicVec3<Real>& a, const BasicVec3<Real>& b)
 {
     return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
-constexpr Vec3 operator-(const Vec3& a)
+template <RealLike Real>
+CORTICLE_INLINE constexpr BasicVec3<Real> operator-(const BasicVec3<Real>& a)
 {
     return {-a.x, -a.y, -a.z};
 }
-constexpr Vec3 operator*(double s, const Vec3& a)
+template <RealLike Real, FactorOf<Real> Factor>
+CORTICLE_INLINE constexpr BasicVec3<Real> operator*(const Factor& s, const BasicVec3<Real>& a)
 {
     return {s * a.x, s * a.y, s * a.z};
 }
-constexpr Vec3 operator*(const Vec3& a, double s)
+template <RealLike Real, FactorOf<Real> Factor>
+CORTICLE_INLINE constexpr BasicVec3<Real> operator*(const BasicVec3<Real>& a, const Factor& s)
 {
     return s * a;
 }
-constexpr Vec3 operator/(const Vec3& a, double s)
+template <RealLike Real, FactorOf<Real> Factor>
+CORTICLE_INLINE constexpr BasicVec3<Real> operator/(const BasicVec3<Real>& a, const Factor& s)
 {
     return {a.x / s, a.y / s, a.z / s};
 }
-constexpr Vec3& operator+=(Vec3& a, const Vec3& b)
+template <RealLike Real>
+CORTICLE_INLINE constexpr BasicVec3<Real>& operator+=(BasicVec3<Real>& a, const BasicVec3<Real>& b)
 {
     return a = a + b;
 }
-constexpr Vec3& operator-=(Vec3& a, const Vec3& b)
+template <RealLike Real>
+CORTICLE_INLINE constexpr BasicVec3<Real>& operator-=(BasicVec3<Real>& a, const BasicVec3<Real>& b)
 {
     return a = a - b;
 }
-constexpr Vec3& operator*=(Vec3& a, double s)
+template <RealLike Real, FactorOf<Real> Factor>
+CORTICLE_INLINE constexpr BasicVec3<Real>& operator*=(BasicVec3<Real>& a, const Factor& s)
 {
     return a = s * a;
 }
 
-constexpr double dot(const Vec3& a, const Vec3& b)
+template <RealLike Real>
+CORTICLE_INLINE constexpr Real dot(const BasicVec3<Real>& a, const BasicVec3<Real>& b)
 {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
-constexpr Vec3 cross(const Vec3& a, const Vec3& b)
+template <RealLike Real>
+CORTICLE_INLINE constexpr BasicVec3<Real> cross(const BasicVec3<Real>& a, const BasicVec3<Real>& b)
 {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-constexpr double squared_norm(const Vec3& a)
+template <RealLike Real>
+CORTICLE_INLINE constexpr Real squared_norm(const BasicVec3<Real>& a)
 {
     return dot(a, a);
 }

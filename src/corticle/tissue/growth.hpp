@@ -40,9 +40,11 @@ struct GrowthCourse
 /// Inverse of the growth tensor G = g_t (I - n n^T) + g_r n n^T: tissue grows by g_t in the plane whose normal in the
 /// reference frame is n and by g_r along n; g_r = g_t is isotropic. det G = g_t² g_r. (Tallinen et al. 2016 with
 /// g_r = 1; thesis eq. 22 prints F G where F G^-1 is meant.)
-constexpr Mat3 inverse_growth_tensor(double g_t, const Vec3& normal, double g_r = 1.0)
+template <RealLike Real>
+CORTICLE_INLINE BasicMat3<Real> inverse_growth_tensor(const Real& g_t, const BasicVec3<Real>& normal,
+                                                      const Real& g_r = broadcast<Real>(1.0))
 {
-    return (1.0 / g_t) * Mat3::identity() + (1.0 / g_r - 1.0 / g_t) * outer(normal, normal);
+    return (1.0 / g_t) * BasicMat3<Real>::identity() + (1.0 / g_r - 1.0 / g_t) * outer(normal, normal);
 }
 
 /// Normal of the deformed material surface y = const, turned back by the rotation R of F = R U: R^T F^-T n / |F^-T n|,

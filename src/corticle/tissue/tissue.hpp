@@ -14,33 +14,37 @@ namespace corticle
 {
 
 /// Moduli and growth of one material point at a time t.
-struct MaterialPoint
+template <RealLike Real>
+struct BasicMaterialPoint
 {
-    double growth;             ///< g_t, in the plane of the layer [-]
-    double radial_growth;      ///< g_r, along the normal [-]
-    double growth_rate;        ///< dg_t/dt [-]
-    double radial_growth_rate; ///< dg_r/dt [-]
-    double shear_modulus;      ///< [mu_w]
-    double bulk_modulus;       ///< [mu_w]
-    double shear_rate = 0.0;   ///< dmu/dt where the layer moves [mu_w]
-    double bulk_rate = 0.0;    ///< dK/dt where the layer moves [mu_w]
+    Real growth;             ///< g_t, in the plane of the layer [-]
+    Real radial_growth;      ///< g_r, along the normal [-]
+    Real growth_rate;        ///< dg_t/dt [-]
+    Real radial_growth_rate; ///< dg_r/dt [-]
+    Real shear_modulus;      ///< [mu_w]
+    Real bulk_modulus;       ///< [mu_w]
+    Real shear_rate{};       ///< dmu/dt where the layer moves [mu_w]
+    Real bulk_rate{};        ///< dK/dt where the layer moves [mu_w]
 };
+using MaterialPoint = BasicMaterialPoint<double>;
 
 /// mu = theta mu_c + (1 - theta) mu_w; K = ratio mu (per tissue) or one constant (uniform);
 /// g_t = 1 + (alpha_t theta + alpha_white (1 - theta)) m f, g_r the same with alpha_r.
 /// @param course  f, equal to t for the linear law; rates are per f, theta fixed
-inline MaterialPoint material_point(const TissueOptions& options, double theta, double regional_rate, double course)
+template <RealLike Real>
+CORTICLE_INLINE BasicMaterialPoint<Real> material_point(const TissueOptions& options, const Real& theta,
+                                                        const Real& regional_rate, double course)
 {
-    const double mu = theta * options.mu_cortex + (1.0 - theta) * options.mu_white;
-    const double white = options.alpha_white * (1.0 - theta);
-    const double tangential = (options.alpha_t * theta + white) * regional_rate;
-    const double radial = (options.alpha_r * theta + white) * regional_rate;
+    const Real mu = theta * options.mu_cortex + (1.0 - theta) * options.mu_white;
+    const Real white = options.alpha_white * (1.0 - theta);
+    const Real tangential = (options.alpha_t * theta + white) * regional_rate;
+    const Real radial = (options.alpha_r * theta + white) * regional_rate;
     return {1.0 + tangential * course,
             1.0 + radial * course,
             tangential,
             radial,
             mu,
-            options.bulk == BulkRule::per_tissue ? options.bulk_modulus * mu : options.bulk_modulus};
+            options.bulk == BulkRule::per_tissue ? options.bulk_modulus * mu : broadcast<Real>(options.bulk_modulus)};
 }
 
 /// Growth that the body as imaged has behind it.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "corticle/base/large_pages.hpp"
 #include "corticle/cloud/neighbors.hpp"
 
 #include <cstdint>
@@ -17,8 +18,8 @@ struct PairBlocks
 {
     std::int64_t block_size = 0;           ///< particles per block
     std::vector<std::int64_t> begin;       ///< first pair of every particle; particles + 1 entries
-    std::vector<std::uint16_t> place;      ///< of j in the table of the block of i, one per pair
-    std::vector<float> weight;             ///< w_ij = V_i V_j omega_ij, one per pair, symmetric (see Particles)
+    LargeVector<std::uint16_t> place;      ///< of j in the table of the block of i, one per pair
+    LargeVector<float> weight;             ///< w_ij = V_i V_j omega_ij, one per pair, symmetric (see Particles)
     std::vector<std::int64_t> table_begin; ///< first entry of every block's table; blocks + 1 entries
     std::vector<std::int32_t> table;       ///< particles of the tables, ascending within each
 

@@ -17,11 +17,13 @@ namespace corticle
 {
 
 /// What one neighbour contributes, or a sum of such: two SIMD registers of eight doubles.
-struct alignas(64) PairTerms
+template <RealLike Real>
+struct alignas(64) BasicPairTerms
 {
-    Mat3 matrix;
-    Vec3 vector; ///< its fourth lane holds a scalar of its own
+    BasicMat3<Real> matrix;
+    BasicVec3<Real> vector; ///< its fourth lane holds a scalar of its own
 };
+using PairTerms = BasicPairTerms<double>;
 
 /// The neighbours j of one particle i.
 struct NeighborRange
@@ -40,14 +42,16 @@ CORTICLE_INLINE void sum_terms(const NeighborRange& neighbors, const PairTerms* 
     WideLanes high[stride]{};
     const auto add = [&](std::int64_t s, double w, const PairTerms& term)
     {
-        const auto* lanes = reinterpret_cast<const WideLanes*>(&term);
+        const auto* lanes = reinterpret_cast<const WideMemory*>(&term);
         low[s] += w * lanes[0];
         high[s] += w * lanes[1];
     };
     std::int64_t k = 0;
     for (; k + wide_lanes <= neighbors.count; k += wide_lanes)
     {
-        const WideLanes w = widen(neighbors.weight + k);
+        // Through memory: a load spreads a number over all lanes, which is cheaper than to move it out of one.
+        alignas(64) double w[wide_lanes];
+        *reinterpret_cast<WideMemory*>(w) = widen(neighbors.weight + k);
         for (std::int64_t m = 0; m < wide_lanes; ++m)
         {
             add(m % stride, w[m], terms[neighbors.place[k + m]]);
@@ -57,7 +61,7 @@ CORTICLE_INLINE void sum_terms(const NeighborRange& neighbors, const PairTerms* 
     {
         add(0, static_cast<double>(neighbors.weight[k]), terms[neighbors.place[k]]);
     }
-    auto* result = reinterpret_cast<WideLanes*>(&sum);
+    auto* result = reinterpret_cast<WideMemory*>(&sum);
     result[0] = (low[0] + low[1]) + (low[2] + low[3]);
     result[1] = (high[0] + high[1]) + (high[2] + high[3]);
 }
@@ -71,17 +75,19 @@ CORTICLE_INLINE PairTerms deformation_terms(const Vec3& X, const Vec3& x)
 }
 
 /// What the deformation pass needs of the pairs of one particle.
+template <RealLike Real>
 struct DeformationSums
 {
-    Mat3 moment;                 ///< sum_j w_ij x_ij X_ij^T; times L_i it is F_i
-    Vec3 weighted_sum;           ///< sum_j w_ij x_ij
-    double squared_lengths = 0.; ///< sum_j w_ij |x_ij|²
+    BasicMat3<Real> moment;       ///< sum_j w_ij x_ij X_ij^T; times L_i it is F_i
+    BasicVec3<Real> weighted_sum; ///< sum_j w_ij x_ij
+    Real squared_lengths;         ///< sum_j w_ij |x_ij|²
 };
 
 /// @param sum  of the deformation_terms of the neighbours of i   @param X,x  X_i', x_i'
 /// @param weighted_sum  b_i = sum_j w_ij X_ij; its fourth lane holds sum_j w_ij
-CORTICLE_INLINE DeformationSums deformation_sums(const PairTerms& sum, const Vec3& X, const Vec3& x,
-                                                 const Vec3& weighted_sum)
+template <RealLike Real>
+CORTICLE_INLINE DeformationSums<Real> deformation_sums(const BasicPairTerms<Real>& sum, const BasicVec3<Real>& X,
+                                                       const BasicVec3<Real>& x, const BasicVec3<Real>& weighted_sum)
 {
     return {sum.matrix - outer(sum.vector, X) - outer(x, weighted_sum), sum.vector - weighted_sum.lane * x,
             sum.vector.lane - 2.0 * dot(x, sum.vector) + weighted_sum.lane * squared_norm(x)};

@@ -19,7 +19,7 @@ struct Particles
     std::vector<double> volume; ///< V [mm³]
     PairBlocks pairs; ///< with the weights w_ij = V_i V_j omega_ij. Rounding a weight to float only redefines the
                       ///< kernel by 1e-7: every identity of the method holds to double precision.
-    std::vector<Mat3> correction;   ///< L_i = (sum_j w_ij X_ij X_ij^T)^-1
+    LargeVector<Mat3> correction;   ///< L_i = (sum_j w_ij X_ij X_ij^T)^-1
     std::vector<Vec3> weighted_sum; ///< b_i = sum_j w_ij X_ij; its fourth lane holds sum_j w_ij
     TlsphOptions options;
     double spacing = 0.0; ///< [mm]

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/tlsph/solver.hpp"
 
+#include "corticle/base/wide_group.hpp"
 #include "corticle/tissue/growth.hpp"
 #include "corticle/tissue/neo_hookean.hpp"
 
@@ -54,8 +55,8 @@ CORTICLE_INLINE void fill_deformation_terms(const Block& block, const Vec3* x, s
     }
 }
 
-CORTICLE_INLINE DeformationSums sum_deformation(const Block& block, const Vec3* x, std::int64_t i,
-                                                const std::vector<PairTerms>& terms)
+CORTICLE_INLINE DeformationSums<double> sum_deformation(const Block& block, const Vec3* x, std::int64_t i,
+                                                        const std::vector<PairTerms>& terms)
 {
     PairTerms sum;
     sum_terms(block.neighbors(i), terms.data(), sum);
@@ -63,93 +64,192 @@ CORTICLE_INLINE DeformationSums sum_deformation(const Block& block, const Vec3* 
                             block.particles.weighted_sum[i]);
 }
 
+CORTICLE_INLINE WideVec3 gather(const WideGroup& group, const Vec3* values)
+{
+    return group.gather_vectors([&](std::int64_t i) -> const Vec3& { return values[i]; });
+}
+
+/// The same for eight particles.
+CORTICLE_INLINE DeformationSums<WideLanes> sum_deformation(const Block& block, const Vec3* x, const WideGroup& group,
+                                                           const std::vector<PairTerms>& terms)
+{
+    PairTerms sums[wide_lanes];
+    for (std::int64_t lane = 0; lane < group.count; ++lane)
+    {
+        sum_terms(block.neighbors(group.first + lane), terms.data(), sums[lane]);
+    }
+    const WideGroup among{0, group.count};
+    const BasicPairTerms<WideLanes> sum{
+        among.gather_matrices([&](std::int64_t i) -> const Mat3& { return sums[i].matrix; }),
+        among.gather_vectors([&](std::int64_t i) -> const Vec3& { return sums[i].vector; })};
+    return deformation_sums(sum, gather(group, block.particles.X.data()) - broadcast(block.X_origin),
+                            gather(group, x) - broadcast(block.x_origin),
+                            gather(group, block.particles.weighted_sum.data()));
+}
+
 /// An upper bound of 1 / (smallest singular value of F): sqrt of the bound m + sqrt(2) s of the largest eigenvalue
 /// of F^-T F^-1 by its mean m and deviation s (Wolkowicz & Styan 1980); exact for isotropic and for uniaxial
 /// compression.
-CORTICLE_INLINE double largest_compression(const Mat3& cofactor_F, double J)
+template <RealLike Real>
+CORTICLE_INLINE Real largest_compression(const BasicMat3<Real>& cofactor_F, const Real& J)
 {
-    const Mat3 B = transpose(cofactor_F) * cofactor_F;
-    const double mean = trace(B) / 3.0;
-    const double variance = std::max(0.0, contract(B, B) / 3.0 - mean * mean);
-    return std::sqrt(mean + std::sqrt(2.0 * variance)) / J;
+    const BasicMat3<Real> B = transpose(cofactor_F) * cofactor_F;
+    const Real mean = trace(B) / 3.0;
+    const Real variance = larger<Real>(contract(B, B) / 3.0 - mean * mean, Real{});
+    return square_root(mean + square_root(2.0 * variance)) / J;
 }
 
-/// Stress, energies and the force record of one particle. Writes to `own_force` the part of its force that its own
-/// state makes. `plain`: growth is that of Tissue::grows_plainly, which the compiler then gets to see.
-template <bool plain>
-CORTICLE_INLINE void respond(const Particles& particles, const PassInput& in, std::int64_t signed_i,
-                             const DeformationSums& sums, ForceRecord& record, Vec3& own_force, InternalResponse& sum)
+/// What a block of particles adds up, lane by lane.
+struct LaneSums
 {
-    const auto i = static_cast<std::size_t>(signed_i);
+    WideLanes elastic_energy{};
+    WideLanes zero_mode_energy{};
+    WideLanes growth_power{};
+    WideLanes stiffest_rate{};
+    WideLanes barrier_count{};
+};
+
+/// Moduli and growth of eight particles, and the normals they grow across.
+struct WideTissue
+{
+    BasicMaterialPoint<WideLanes> point;
+    WideVec3 normal;
+};
+
+/// Growth of Tissue::grows_plainly, which the compiler gets to see.
+CORTICLE_INLINE WideTissue plain_tissue(const PassInput& in, const WideGroup& group)
+{
     const Tissue& tissue = in.tissue;
-    const Mat3 F = sums.moment * particles.correction[i];
-    const Mat3 cofactor_F = cofactor(F);
-    const double J = dot(F.column[0], cofactor_F.column[0]);
-    if (J < sum.smallest_J)
-    {
-        sum.smallest_J = J;
-        sum.smallest_J_at = signed_i;
-    }
-    if (!(J > 0.0) || !(J < std::numeric_limits<double>::max()))
-    {
-        sum.invalid_at = sum.invalid_at < 0 ? signed_i : sum.invalid_at;
-        return;
-    }
+    const WideLanes theta = group.gather(tissue.theta.data());
+    const WideLanes rate = group.gather(tissue.regional_rate.data());
+    return {material_point(tissue.options, theta, rate, in.t), gather(group, tissue.normal.data())};
+}
 
-    const MaterialPoint point =
-        plain ? material_point(tissue.options, tissue.theta[i], tissue.regional_rate[i], in.t) : tissue.point(i, in.t);
-    const double g = point.growth;
-    const double g_r = plain ? 1.0 : point.radial_growth;
-    const Vec3 n = plain ? tissue.normal[i] : tissue.growth_normal(i, F);
-    const Mat3 inverse_G = inverse_growth_tensor(g, n, g_r);
-    const Mat3 F_e = F * inverse_G;
-    const NeoHookean law{point.shear_modulus, point.bulk_modulus, tissue.options.barrier_J};
-    const ElasticResponse elastic = law.respond(F_e);
-    const double volume = particles.volume[i];
+/// Any growth, particle by particle.
+CORTICLE_INLINE WideTissue any_tissue(const PassInput& in, const WideGroup& group, const WideMat3& F)
+{
+    Mat3 gradients[wide_lanes];
+    for (int c = 0; c < 3; ++c)
+    {
+        group.scatter_vectors(F.column[c],
+                              [&](std::int64_t i) -> Vec3& { return gradients[i - group.first].column[c]; });
+    }
+    WideTissue tissue{};
+    Vec3 normals[wide_lanes];
+    for (int lane = 0; lane < wide_lanes; ++lane)
+    {
+        const auto i = static_cast<std::size_t>(group.at(lane));
+        const MaterialPoint point = in.tissue.point(i, in.t);
+        at_lane(tissue.point.growth, lane) = point.growth;
+        at_lane(tissue.point.radial_growth, lane) = point.radial_growth;
+        at_lane(tissue.point.growth_rate, lane) = point.growth_rate;
+        at_lane(tissue.point.radial_growth_rate, lane) = point.radial_growth_rate;
+        at_lane(tissue.point.shear_modulus, lane) = point.shear_modulus;
+        at_lane(tissue.point.bulk_modulus, lane) = point.bulk_modulus;
+        at_lane(tissue.point.shear_rate, lane) = point.shear_rate;
+        at_lane(tissue.point.bulk_rate, lane) = point.bulk_rate;
+        normals[lane] = in.tissue.growth_normal(i, gradients[group.at(lane) - group.first]);
+    }
+    tissue.normal = gather(WideGroup{0, wide_lanes}, normals);
+    return tissue;
+}
+
+/// Stress, energies and force records of eight particles. Writes to `own_force` the part of their forces that their own
+/// states make.
+template <bool plain>
+CORTICLE_INLINE void respond(const Block& block, const PassInput& in, const WideGroup& group,
+                             const std::vector<PairTerms>& terms, ForceRecord* records, Vec3* own_force, LaneSums& sum,
+                             InternalResponse& total)
+{
+    const Particles& particles = block.particles;
+    const DeformationSums<WideLanes> sums = sum_deformation(block, in.x, group, terms);
+    const WideMat3 L = group.gather_matrices([&](std::int64_t i) -> const Mat3& { return particles.correction[i]; });
+    const WideMat3 F = sums.moment * L;
+    const WideMat3 cofactor_F = cofactor(F);
+    WideLanes J = dot(F.column[0], cofactor_F.column[0]);
+    for_lanes(J < total.smallest_J,
+              [&](int lane)
+              {
+                  if (at_lane(J, lane) < total.smallest_J)
+                  {
+                      total.smallest_J = at_lane(J, lane);
+                      total.smallest_J_at = group.at(lane);
+                  }
+              });
+    const WideIntegers sound = (J > 0.0) & (J < std::numeric_limits<double>::max());
+    for_lanes(~sound, [&](int lane) { total.invalid_at = total.invalid_at < 0 ? group.at(lane) : total.invalid_at; });
+
+    const WideTissue tissue = plain ? plain_tissue(in, group) : any_tissue(in, group, F);
+    const auto& point = tissue.point;
+    const WideLanes one = broadcast<WideLanes>(1.0);
+    const WideLanes g = point.growth;
+    const WideLanes g_r = plain ? one : point.radial_growth;
+    const WideVec3 n = tissue.normal;
+    const WideMat3 inverse_G = inverse_growth_tensor(g, n, g_r);
+    const WideMat3 F_e = F * inverse_G;
+    const double barrier_J = in.tissue.options.barrier_J;
+    const BasicNeoHookean<WideLanes> law{point.shear_modulus, point.bulk_modulus, barrier_J};
+    const BasicElasticResponse<WideLanes> elastic = law.respond(F_e);
+    const WideLanes volume = group.gather(particles.volume.data());
+    const WideLanes J_g = g * g * g_r;
     // Growth stiffens the tangent pulled back to the reference by det G / (smallest growth)²: g_t² where g_r = 1.
-    const bool flat = plain || g_r <= g;
-    const double ratio = flat ? g / g_r : 1.0;
-    const double zeta = particles.options.zeta * point.shear_modulus * ratio * ratio * g_r;
+    const WideIntegers flat = g_r <= g;
+    const WideLanes ratio = plain ? g : (flat ? g / g_r : one);
+    const WideLanes zeta = particles.options.zeta * point.shear_modulus * ratio * ratio * g_r;
 
-    const double density = elastic.deviatoric_energy + elastic.volumetric_energy;
-    const double zero_mode = 0.5 * zeta * (sums.squared_lengths - contract(sums.moment, F));
-    sum.elastic_energy += volume * g * g * g_r * density;
-    sum.zero_mode_energy += zero_mode;
+    const WideLanes counted = group.share();
+    const WideLanes density = elastic.deviatoric_energy + elastic.volumetric_energy;
+    const WideLanes zero_mode = 0.5 * zeta * (sums.squared_lengths - contract(sums.moment, F));
+    sum.elastic_energy += counted * volume * J_g * density;
+    sum.zero_mode_energy += counted * zero_mode;
     // dPsi/dg at fixed F and n, times dg/dt; the zero-energy term follows zeta.
-    const double radial_work = dot(elastic.stress * n, F_e * n);
-    const double tangential_work = contract(elastic.stress, F_e) - radial_work;
-    sum.growth_power += point.growth_rate *
-                        (volume * g_r * (2.0 * g * density - g * tangential_work) + (flat ? 2.0 / g : 0.0) * zero_mode);
-    if (!plain)
+    const WideLanes radial_work = dot(elastic.stress * n, F_e * n);
+    const WideLanes tangential_work = contract(elastic.stress, F_e) - radial_work;
+    const WideLanes zeta_slope = plain ? 2.0 / g : (flat ? 2.0 / g : WideLanes{});
+    WideLanes power =
+        point.growth_rate * (volume * g_r * (2.0 * g * density - g * tangential_work) + zeta_slope * zero_mode);
+    if constexpr (!plain)
     {
-        sum.growth_power += point.radial_growth_rate *
-                            (volume * g * g * (density - radial_work) + (flat ? -1.0 : 1.0) / g_r * zero_mode);
-        sum.growth_power +=
-            point.shear_rate / point.shear_modulus * (volume * g * g * g_r * elastic.deviatoric_energy + zero_mode);
-        sum.growth_power += point.bulk_rate / point.bulk_modulus * volume * g * g * g_r * elastic.volumetric_energy;
+        power += point.radial_growth_rate *
+                 (volume * g * g * (density - radial_work) + (flat ? -one : one) / g_r * zero_mode);
+        power += point.shear_rate / point.shear_modulus * (volume * J_g * elastic.deviatoric_energy + zero_mode);
+        power += point.bulk_rate / point.bulk_modulus * volume * J_g * elastic.volumetric_energy;
     }
-    sum.stiffest_rate =
-        std::max(sum.stiffest_rate, ratio * std::sqrt(g_r * (point.bulk_modulus + 4.0 / 3.0 * point.shear_modulus)) *
-                                        largest_compression(cofactor_F, J));
-    sum.barrier_count += J < tissue.options.barrier_J * g * g * g_r ? 1 : 0;
+    sum.growth_power += counted * power;
+    sum.stiffest_rate = larger<WideLanes>(
+        sum.stiffest_rate, ratio * square_root(g_r * (point.bulk_modulus + 4.0 / 3.0 * point.shear_modulus)) *
+                               largest_compression(cofactor_F, J));
+    sum.barrier_count += J < barrier_J * J_g ? counted : WideLanes{};
 
-    const Mat3 P = (g * g * g_r) * (elastic.stress * inverse_G);
-    record.M = volume * (P * particles.correction[i]) - zeta * F;
-    record.x = in.x[i];
-    record.x.lane = zeta;
-    own_force = record.M * particles.weighted_sum[i] + zeta * sums.weighted_sum;
+    const WideMat3 P = J_g * (elastic.stress * inverse_G);
+    const WideMat3 M = volume * (P * L) - zeta * F;
+    WideVec3 x = gather(group, in.x);
+    x.lane = zeta;
+    for (int c = 0; c < 3; ++c)
+    {
+        group.scatter_vectors(M.column[c], [&](std::int64_t i) -> Vec3& { return records[i].M.column[c]; });
+    }
+    group.scatter_vectors(x, [&](std::int64_t i) -> Vec3& { return records[i].x; });
+    group.scatter_vectors(M * gather(group, particles.weighted_sum.data()) + zeta * sums.weighted_sum,
+                          [&](std::int64_t i) -> Vec3& { return own_force[i]; });
 }
 
 template <bool plain>
 CORTICLE_INLINE void deform(const Block& block, const PassInput& in, std::vector<PairTerms>& terms,
-                            ForceRecord* records, Vec3* forces, InternalResponse& sum)
+                            ForceRecord* records, Vec3* forces, InternalResponse& total)
 {
     fill_deformation_terms(block, in.x, terms);
-    for (std::int64_t i = block.begin; i < block.end; ++i)
+    LaneSums sum;
+    for (std::int64_t i = block.begin; i < block.end; i += wide_lanes)
     {
-        const DeformationSums sums = sum_deformation(block, in.x, i, terms);
-        respond<plain>(block.particles, in, i, sums, records[i], forces[i], sum);
+        const WideGroup group{i, std::min(wide_lanes, block.end - i)};
+        respond<plain>(block, in, group, terms, records, forces, sum, total);
     }
+    total.elastic_energy += sum_of_lanes(sum.elastic_energy);
+    total.zero_mode_energy += sum_of_lanes(sum.zero_mode_energy);
+    total.growth_power += sum_of_lanes(sum.growth_power);
+    total.stiffest_rate = std::max(total.stiffest_rate, largest_of_lanes(sum.stiffest_rate));
+    total.barrier_count += std::llround(sum_of_lanes(sum.barrier_count));
 }
 
 CORTICLE_EVERY_ISA void deformation_block(const Block& block, const PassInput& in, std::vector<PairTerms>& terms,

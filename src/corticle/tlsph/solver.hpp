@@ -25,7 +25,7 @@ class TlsphSolver final : public Discretization
   private:
     const Particles& particles_;
     const Tissue& tissue_;
-    std::vector<ForceRecord> records_;
+    LargeVector<ForceRecord> records_;
     PerThread<std::vector<PairTerms>> terms_; ///< of the block at hand
 };
 
