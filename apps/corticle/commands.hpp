@@ -70,6 +70,7 @@ struct MeasureArguments
 {
     std::filesystem::path file;
     RealSurfaceOptions options;
+    std::string outer = "hull"; ///< what depth and local index are measured against: "hull" | "closed"
     bool json = false;
 };
 int measure_command(const MeasureArguments& arguments);

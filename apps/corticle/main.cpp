@@ -144,6 +144,11 @@ void add_measure(CLI::App& app, Verb& chosen)
         ->type_name("FILE")
         ->required();
     add_real_surface(*verb, arguments->options);
+    verb->add_option("--outer", arguments->outer,
+                     "Outer surface for sulcal depth and local index: hull, or closed (a ball rolled around the body)")
+        ->capture_default_str()
+        ->type_name("SURFACE")
+        ->check(CLI::IsMember({"hull", "closed"}));
     verb->add_flag("--json", arguments->json, "As JSON");
     verb->callback([arguments, &chosen] { chosen = [arguments] { return measure_command(*arguments); }; });
 }

@@ -35,7 +35,9 @@ void print_text(std::span<const SurfaceRow> rows)
 int measure_command(const MeasureArguments& arguments)
 {
     const TriangleMesh surface = read_real_surface(arguments.file, arguments.options);
-    const std::vector<SurfaceRow> rows = surface_rows(surface.vertices, surface.triangles);
+    FoldOptions folds;
+    folds.outer = arguments.outer == "closed" ? OuterSurface::closed : OuterSurface::hull;
+    const std::vector<SurfaceRow> rows = surface_rows(surface.vertices, surface.triangles, folds);
     arguments.json ? print_json(rows) : print_text(rows);
     return exit_status::done;
 }

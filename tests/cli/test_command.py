@@ -114,6 +114,10 @@ def measure(bench):
         bench.check(abs(measures.get("gi_zilles", 0) - 1) < 1e-4, f"measure {file}: gi_zilles {measures.get('gi_zilles')}")
         depth = measures.get("sulcal_depth_max_mm", 1)
         bench.check(abs(depth) < 1e-4, f"measure {file}: sulcal_depth_max_mm {depth} of a convex body")
+    closed = json.loads(bench.accepted("measure", "ball.off", "--json", "--outer", "closed") or "{}")
+    bench.check(closed.get("sulcal_depth_max_mm", 1) < 1e-4 and abs(closed.get("gi_local_mean", 0) - 1) < 0.01,
+                "a convex body has depth or folds below its closed outer surface")
+    bench.refused(["measure", "ball.off", "--outer", "box"], ["box", "closed"])
     scaled = json.loads(bench.accepted("measure", "ball.off", "--json", "--unit", "cm") or "{}")
     bench.check(math.isclose(scaled.get("volume_mm3", 0), 1000 * _surfaces.volume(ball), rel_tol=1e-9), "--unit cm")
     bench.check("volume" in bench.accepted("measure", "ball.off"), "measure prints no volume")

@@ -82,6 +82,44 @@ TEST(FoldMeasures, AreFiniteForCoarseThinAndSeparateBodies)
     }
 }
 
+TEST(FoldMeasures, AClosedOuterSurfaceFollowsWideConcavities)
+{
+    // Two bulges of radius 10 with a waist of 6 between them, and on one of them fine waves: the hull spans the waist,
+    // the ball enters it but not the waves.
+    const auto outline = [](double z)
+    {
+        const double smooth = 8.0 - 2.0 * std::cos(std::numbers::pi * z / 10.0);
+        return smooth + (z > 5.0 ? 0.5 * (std::cos(4.0 * std::numbers::pi * (z - 5.0)) - 1.0) : 0.0);
+    };
+    std::vector<test::ProfilePoint> profile{{0.1, -14.0}};
+    for (double z = -14.0; z <= 14.0; z += 0.05)
+    {
+        profile.push_back({outline(z), z});
+    }
+    profile.push_back({0.1, 14.0});
+    const TriangleMesh mesh = test::turned(profile, -14.0, 14.0, 120);
+    FoldOptions options;
+    const FoldFields hull = fold_fields(mesh.vertices, mesh.triangles, options);
+    options.outer = OuterSurface::closed;
+    const FoldFields closed = fold_fields(mesh.vertices, mesh.triangles, options);
+    double hull_at_waist = 0.0;
+    double closed_at_waist = 0.0;
+    double closed_in_waves = 0.0;
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
+    {
+        const double z = mesh.vertices[v].z;
+        if (std::abs(z) < 0.5)
+        {
+            hull_at_waist = std::max(hull_at_waist, hull.sulcal_depth[v]);
+            closed_at_waist = std::max(closed_at_waist, closed.sulcal_depth[v]);
+        }
+        closed_in_waves = z > 7.0 && z < 12.0 ? std::max(closed_in_waves, closed.sulcal_depth[v]) : closed_in_waves;
+    }
+    EXPECT_GT(hull_at_waist, 3.0);
+    EXPECT_LT(closed_at_waist, 0.3);
+    EXPECT_NEAR(closed_in_waves, 1.0, 0.25);
+}
+
 TEST(FoldMeasures, TakeTheMidplaneThatIsGiven)
 {
     const TriangleMesh mesh = test::box({-1, 0, 0}, {3, 1, 1});

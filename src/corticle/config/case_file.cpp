@@ -7,6 +7,7 @@
 #include "corticle/config/case_checks.hpp"
 #include "corticle/config/case_text.hpp"
 #include "corticle/config/parameters.hpp"
+#include "corticle/config/thickness_keys.hpp"
 #include "corticle/config/toml_document.hpp"
 #include "corticle/config/week_keys.hpp"
 
@@ -185,6 +186,11 @@ void CaseReader::settle_alternatives()
     replace("output.times", "output.weeks");
     replace("time.start_week", "time.start");
     replace("time.end_week", "time.end");
+    if (options_.tissue.thickness_preset != ThicknessPreset::none)
+    {
+        replace("tissue.thickness_preset", "tissue.thickness_mm");
+        replace("tissue.thickness_preset", "tissue.thickness_rate_mm");
+    }
 }
 
 void CaseReader::read_overrides(std::span<const std::string> overrides)
@@ -209,6 +215,7 @@ Options CaseReader::finish()
         return found == places_.end() ? std::string() : " (" + found->second + ")";
     };
     settle_weeks(options_, place);
+    settle_thickness(options_.tissue, place);
     check_case(options_, place);
     return options_;
 }

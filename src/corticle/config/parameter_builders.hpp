@@ -2,6 +2,7 @@
 #pragma once
 
 #include "corticle/config/parameters.hpp"
+#include "corticle/tissue/thickness_presets.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -19,6 +20,16 @@ template <>
 inline std::vector<std::string> names<Layer>()
 {
     return {"smooth", "binary"};
+}
+template <>
+inline std::vector<std::string> names<ThicknessPreset>()
+{
+    std::vector<std::string> all{"none"};
+    for (const PresetThickness& row : thickness_presets())
+    {
+        all.emplace_back(row.name);
+    }
+    return all;
 }
 template <>
 inline std::vector<std::string> names<BulkRule>()
@@ -182,6 +193,14 @@ inline Parameter without_clock(Parameter parameter)
 {
     parameter.get = [get = parameter.get](const Options& options) -> Value
     { return options.time.clock == GestationalClock::none ? get(options) : Unsupported{}; };
+    return parameter;
+}
+
+/// A number of the thickness, which a preset replaces.
+inline Parameter without_thickness_preset(Parameter parameter)
+{
+    parameter.get = [get = parameter.get](const Options& options) -> Value
+    { return options.tissue.thickness_preset == ThicknessPreset::none ? get(options) : Unsupported{}; };
     return parameter;
 }
 

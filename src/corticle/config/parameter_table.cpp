@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/config/parameter_builders.hpp"
 
+#include <fmt/format.h>
+
 namespace corticle
 {
 
@@ -107,14 +109,30 @@ std::vector<Parameter> map_parameters()
     };
 }
 
+std::string thickness_preset_sentence()
+{
+    std::string sentence = "A thickness by name instead of the two keys below:";
+    std::string_view separator = " ";
+    for (const PresetThickness& row : thickness_presets())
+    {
+        sentence +=
+            fmt::format("{}{} is {} mm + {} mm t ({})", separator, row.name, row.initial_mm, row.rate_mm, row.source);
+        separator = "; ";
+    }
+    return sentence + ".";
+}
+
 std::vector<Parameter> tissue_parameters()
 {
     return {
         parameter("tissue.layer", "", {}, "Transition from cortex to white matter.", CORTICLE_MEMBER(tissue.layer)),
-        parameter("tissue.thickness_mm", "mm", above(0.0, 100.0), "Thickness of the cortex at t = 0.",
-                  CORTICLE_MEMBER(tissue.thickness_mm)),
-        parameter("tissue.thickness_rate_mm", "mm", between(-100.0, 100.0),
-                  "Change of the thickness from t = 0 to t = 1.", CORTICLE_MEMBER(tissue.thickness_rate_mm)),
+        parameter("tissue.thickness_preset", "", {}, thickness_preset_sentence(),
+                  CORTICLE_MEMBER(tissue.thickness_preset)),
+        without_thickness_preset(parameter("tissue.thickness_mm", "mm", above(0.0, 100.0),
+                                           "Thickness of the cortex at t = 0.", CORTICLE_MEMBER(tissue.thickness_mm))),
+        without_thickness_preset(parameter("tissue.thickness_rate_mm", "mm", between(-100.0, 100.0),
+                                           "Change of the thickness from t = 0 to t = 1.",
+                                           CORTICLE_MEMBER(tissue.thickness_rate_mm))),
         parameter("tissue.lambda", "", between(0.0, 0.999),
                   "Above 0: cortex is where the squared scaled radius of a sphere or ellipsoid reaches this "
                   "(binary layer only; of another body the scaled extents are taken, thesis eq. 24); 0: the thickness "

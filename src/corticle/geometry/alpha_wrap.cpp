@@ -10,6 +10,8 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/alpha_wrap_3.h>
 
+#include <limits>
+
 namespace corticle
 {
 
@@ -67,6 +69,9 @@ TriangleMesh drawn_back(const TriangleMesh& wrap, const SurfaceTree& input, doub
     return result;
 }
 
+constexpr double wrap_edge_per_radius = 0.25;  ///< how fine the wrap of a closing is
+constexpr double least_area_per_square = 1e-8; ///< of a triangle, over the square of the radius
+
 } // namespace
 
 TriangleMesh alpha_wrap(const TriangleMesh& surface, double alpha, double offset)
@@ -107,6 +112,21 @@ TriangleMesh fitted_alpha_wrap(const TriangleMesh& surface, double alpha, double
         }
     }
     return wrap;
+}
+
+TriangleMesh closed_around(const TriangleMesh& surface, double radius)
+{
+    const TriangleMesh wrap = alpha_wrap(surface, wrap_edge_per_radius * radius, radius);
+    const SurfaceTree input(surface.vertices, surface.triangles);
+    TriangleMesh closed = drawn_back(wrap, input, std::numeric_limits<double>::infinity());
+    std::erase_if(closed.triangles,
+                  [&](const Triangle& t)
+                  {
+                      const Vec3& a = closed.vertices[t[0]];
+                      const double area = 0.5 * norm(cross(closed.vertices[t[1]] - a, closed.vertices[t[2]] - a));
+                      return !(area > least_area_per_square * radius * radius);
+                  });
+    return closed;
 }
 
 } // namespace corticle

@@ -16,4 +16,10 @@ TriangleMesh alpha_wrap(const TriangleMesh& surface, double alpha, double offset
 /// moves half as far, or not at all.
 TriangleMesh fitted_alpha_wrap(const TriangleMesh& surface, double alpha, double offset);
 
+/// What a ball of the given radius [mm] that rolls around a closed surface leaves free of it, a morphological closing:
+/// a wrap at the distance of the radius, each vertex of it moved to its closest point of the surface. So all vertices
+/// lie on the surface, and straight triangles stand for the ball where it spans a gap. For distances: triangles without
+/// area are left out, and others may fold over at the rim of a gap.
+TriangleMesh closed_around(const TriangleMesh& surface, double radius);
+
 } // namespace corticle

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/metrics/fold_measures.hpp"
 
+#include "corticle/geometry/alpha_wrap.hpp"
 #include "corticle/geometry/hull.hpp"
 #include "corticle/metrics/local_gyrification.hpp"
 #include "corticle/metrics/spectrum.hpp"
@@ -55,6 +56,17 @@ double area_mean(std::span<const double> areas, Value&& value)
     return sum / total;
 }
 
+TriangleMesh outer_surface(std::span<const Vec3> vertices, std::span<const Triangle> triangles,
+                           const FoldOptions& options)
+{
+    if (options.outer == OuterSurface::hull)
+    {
+        return convex_hull(vertices);
+    }
+    return closed_around({{vertices.begin(), vertices.end()}, {triangles.begin(), triangles.end()}},
+                         options.adult_closing_mm * scale_of(vertices, triangles));
+}
+
 double curvature_wavelength(std::span<const Vec3> vertices, std::span<const Triangle> triangles,
                             std::span<const double> mean_curvature, std::span<const double> areas)
 {
@@ -77,9 +89,9 @@ std::span<const FoldColumn> fold_columns()
 
 FoldFields fold_fields(std::span<const Vec3> vertices, std::span<const Triangle> triangles, const FoldOptions& options)
 {
-    const TriangleMesh hull = convex_hull(vertices);
-    const SurfaceTree outer(hull.vertices, hull.triangles);
-    const double least_ball = least_ball_share * std::sqrt(surface_area(hull.vertices, hull.triangles));
+    const TriangleMesh around = outer_surface(vertices, triangles, options);
+    const SurfaceTree outer(around.vertices, around.triangles);
+    const double least_ball = least_ball_share * std::sqrt(surface_area(around.vertices, around.triangles));
     const double ball = std::max(least_ball, options.adult_ball_mm * scale_of(vertices, triangles));
     return {vertex_curvature(vertices, triangles), sulcal_depth(vertices, triangles, outer),
             local_gyrification(vertices, triangles, outer, ball)};

@@ -11,11 +11,20 @@
 namespace corticle
 {
 
+/// What sulcal depth and local gyrification are measured against.
+enum class OuterSurface
+{
+    hull,  ///< convex hull
+    closed ///< a ball rolled around the body: follows concavities wider than the ball
+};
+
 /// How folds are measured. Lengths that the literature gives for adult brains shrink with the body: times the radius of
 /// the sphere of equal volume over 67 mm, that of a brain of 1.26 l.
 struct FoldOptions
 {
     SliceOptions slices;
+    OuterSurface outer = OuterSurface::hull;
+    double adult_closing_mm = 15.0;     ///< radius of the ball of OuterSurface::closed (Schaer et al. 2008)
     double adult_ball_mm = 25.0;        ///< radius of the ball of local gyrification (Schaer et al. 2008)
     double adult_ridge_height_mm = 2.5; ///< between sulcal pits (Im et al. 2010)
     std::optional<Plane> midplane;      ///< of the asymmetry; that of the surface itself if there is none
@@ -25,8 +34,8 @@ struct FoldOptions
 struct FoldFields
 {
     Curvature curvature;
-    std::vector<double> sulcal_depth;       ///< below the convex hull [mm]
-    std::vector<double> local_gyrification; ///< against the convex hull [-]
+    std::vector<double> sulcal_depth;       ///< below the outer surface [mm]
+    std::vector<double> local_gyrification; ///< against the outer surface [-]
 };
 
 FoldFields fold_fields(std::span<const Vec3> vertices, std::span<const Triangle> triangles,

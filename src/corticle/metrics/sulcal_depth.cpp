@@ -4,6 +4,7 @@
 #include "corticle/base/parallel.hpp"
 #include "corticle/metrics/vertex_adjacency.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <queue>
 
@@ -130,7 +131,7 @@ std::vector<double> sulcal_depth(std::span<const Vec3> vertices, std::span<const
                  [&](std::int64_t v)
                  {
                      const SurfacePoint nearest = outer.closest(vertices[v]);
-                     straight[v] = std::sqrt(nearest.squared_distance);
+                     straight[v] = std::max(0.0, -outer.signed_distance(vertices[v], nearest));
                      const bool free = straight[v] <= clearance ||
                                        sees(surface, vertices[v], normals[v], nearest.position, clearance);
                      start[v] = free ? straight[v] : infinity;

@@ -13,7 +13,7 @@ namespace corticle
 /// A vertex whose straight way to the closest point of the outer surface is free has exactly that distance. The others,
 /// below an overhang or in a closed sulcus where the outside has no room, get the shortest way along the surface from
 /// those (fast marching; Kimmel & Sethian 1998, PNAS 95). A part of the surface that no free vertex is joined to (the
-/// wall of a cavity) gets the straight distance.
+/// wall of a cavity) gets the straight distance. On and beyond the outer surface the depth is 0.
 ///
 /// @param outer  for instance the convex hull, or a closed surface around the gyri
 std::vector<double> sulcal_depth(std::span<const Vec3> vertices, std::span<const Triangle> triangles,

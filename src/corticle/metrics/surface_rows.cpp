@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/metrics/surface_rows.hpp"
 
-#include "corticle/metrics/fold_measures.hpp"
 #include "corticle/metrics/surface_measures.hpp"
 
 namespace corticle
 {
 
-std::vector<SurfaceRow> surface_rows(std::span<const Vec3> vertices, std::span<const Triangle> triangles)
+std::vector<SurfaceRow> surface_rows(std::span<const Vec3> vertices, std::span<const Triangle> triangles,
+                                     const FoldOptions& options)
 {
     const SurfaceMeasures size = measure_surface(vertices, triangles);
-    const FoldMeasures folds = measure_folds(vertices, triangles, fold_fields(vertices, triangles));
+    const FoldMeasures folds = measure_folds(vertices, triangles, fold_fields(vertices, triangles, options), options);
     std::vector<SurfaceRow> rows;
     for (const SizeColumn& column : size_columns())
     {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/geometry/triangle_mesh.hpp"
+#include "corticle/metrics/fold_measures.hpp"
 
 #include <string>
 
@@ -18,6 +18,7 @@ struct SurfaceRow
 
 /// All measures of a closed surface [mm], in the order in which tables show them: the one ruler for simulated and real
 /// surfaces. Every surface has the same keys.
-std::vector<SurfaceRow> surface_rows(std::span<const Vec3> vertices, std::span<const Triangle> triangles);
+std::vector<SurfaceRow> surface_rows(std::span<const Vec3> vertices, std::span<const Triangle> triangles,
+                                     const FoldOptions& options = {});
 
 } // namespace corticle

@@ -30,12 +30,21 @@ enum class NormalFrame
     current    ///< of the deformed layers
 };
 
+/// Thickness of the cortex by name: the rows of thickness_presets().
+enum class ThicknessPreset
+{
+    none,
+    linear_2_5,
+    constant_1_24
+};
+
 /// Tissue parameters (keys under [tissue]).
 struct TissueOptions
 {
     Layer layer = Layer::smooth;
-    double thickness_mm = 1.674;    ///< H_i
-    double thickness_rate_mm = 0.0; ///< beta: H(t) = H_i + beta t
+    ThicknessPreset thickness_preset = ThicknessPreset::none; ///< sets the two below
+    double thickness_mm = 1.674;                              ///< H_i
+    double thickness_rate_mm = 0.0;                           ///< beta: H(t) = H_i + beta t
     double lambda = 0.0;     ///< > 0 with layer = "binary" on a sphere or ellipsoid: cortex where sum (x/r)² >= lambda
                              ///< (thesis eq. 24); 0: thickness decides
     double mu_cortex = 0.86; ///< shear modulus [mu_w]
