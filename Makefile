@@ -41,7 +41,7 @@ tsan: setup-dev build/tsan/.configured ## build and test with clang's thread san
 validate: build ## compare with theory and published numbers (validation/*/run.py or run.sh)
 	@$(PYTHON) scripts/validate.py --command $(COMMAND)
 
-bench: build ## build and run the benchmarks; JSON goes to build/release/benchmarks
+bench: build ## run the benchmarks: a table (docs/performance.md), JSON in build/release/benchmarks
 	cmake --build --preset release --parallel $(JOBS) --target bench
 
 format: setup ## rewrite the sources in the project's format

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "benchmarks/counters.hpp"
+#include "benchmarks/folds.hpp"
+#include "corticle/contact/surface_contact.hpp"
+
+namespace corticle::bench
+{
+namespace
+{
+
+void report(benchmark::State& state, const FoldedSphere& surface, double candidates)
+{
+    count_particles(state, static_cast<double>(state.range(0)));
+    state.counters["ns_per_pair"] = time_each(candidates, 1e9);
+    state.counters["vertices"] = static_cast<double>(surface.x.size());
+    state.counters["candidates"] = candidates;
+}
+
+double count(const Candidates& candidates)
+{
+    return static_cast<double>(candidates.vertex_triangle.size() + candidates.edge_edge.size());
+}
+
+constexpr double list_range = 0.7; ///< of SurfaceContact with its default options [spacings]
+
+/// The search for pairs of a fully folded surface, which a run makes once in some ten steps.
+void contact_detection(benchmark::State& state)
+{
+    const FoldedSphere& surface = made_for<FoldedSphere>(state.range(0));
+    const std::vector<Edge> edges = unique_edges(surface.rest.triangles);
+    double candidates = 0.0;
+    for (auto _ : state)
+    {
+        candidates = count(find_candidates(surface.x, surface.rest.triangles, edges, list_range));
+    }
+    report(state, surface, candidates);
+}
+
+/// Distances, forces and travel limits of the pairs at hand.
+void contact_force(benchmark::State& state)
+{
+    const FoldedSphere& surface = made_for<FoldedSphere>(state.range(0));
+    SurfaceContact contact(surface.rest.triangles, surface.rest.vertices, std::vector<double>(surface.x.size(), 0.5),
+                           1.0, {});
+    const std::vector<Vec3> velocity(surface.x.size());
+    std::vector<Vec3> forces(surface.x.size());
+    const auto evaluate = [&] { return contact.evaluate(surface.x, velocity, 0.1, forces); };
+    if (evaluate().active == 0)
+    {
+        state.SkipWithError("no banks in touch");
+    }
+    std::int64_t active = 0;
+    for (auto _ : state)
+    {
+        std::fill(forces.begin(), forces.end(), Vec3{});
+        active = evaluate().active;
+    }
+    const std::vector<Edge> edges = unique_edges(surface.rest.triangles);
+    report(state, surface, count(find_candidates(surface.x, surface.rest.triangles, edges, list_range)));
+    state.counters["active"] = static_cast<double>(active);
+}
+
+const bool registered = register_by_size({{"contact_detection", contact_detection}, {"contact_force", contact_force}});
+
+} // namespace
+} // namespace corticle::bench

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/tlsph/pair_law.hpp"
+
+// What the two passes read, write and compute, counted off tlsph/pair_law.hpp and tlsph/solver.cpp. To be kept in step
+// with them, and with the table of docs/performance.md.
+
+namespace corticle::bench
+{
+
+/// Bytes that must come from memory or go there when nothing but the neighbours' records stays in a cache, and
+/// operations (an addition or a multiplication is one, a fused one two). Padding of a Vec3 counts as bytes, not as
+/// operations.
+struct PassModel
+{
+    double bytes_per_pair;
+    double bytes_per_particle;
+    double operations_per_pair;
+    double operations_per_particle;
+
+    double bytes(double particles, double pairs) const
+    {
+        return bytes_per_particle * particles + bytes_per_pair * pairs;
+    }
+    double operations(double particles, double pairs) const
+    {
+        return operations_per_particle * particles + operations_per_pair * pairs;
+    }
+};
+
+inline constexpr double pair_bytes = sizeof(std::int32_t) + sizeof(float); ///< index and weight
+
+/// F, stress, force record. Per pair: X_ij 3, x_ij 3, weighted 3, moment 18, their sum 3, squares 6. Per particle it
+/// reads X, x, L, b, normal, V, theta, regional rate and the range of its pairs, and writes the record and its own
+/// force.
+inline constexpr PassModel deformation_pass{
+    pair_bytes, 5 * sizeof(Vec3) + sizeof(Mat3) + 4 * sizeof(double) + sizeof(ForceRecord), 36.0, 500.0};
+
+/// Forces of the neighbours. Per pair: X_ij 3, weighted 3, M_j X_ij 18, w zeta 1, x_ij 3, weighted 6. Per particle it
+/// reads X, the record and the range of its pairs, and reads and writes the force.
+inline constexpr PassModel force_pass{
+    pair_bytes, sizeof(Vec3) + sizeof(ForceRecord) + sizeof(double) + 2 * sizeof(Vec3), 34.0, 12.0};
+
+inline constexpr PassModel both_passes{deformation_pass.bytes_per_pair + force_pass.bytes_per_pair,
+                                       deformation_pass.bytes_per_particle + force_pass.bytes_per_particle,
+                                       deformation_pass.operations_per_pair + force_pass.operations_per_pair,
+                                       deformation_pass.operations_per_particle + force_pass.operations_per_particle};
+
+} // namespace corticle::bench
