@@ -175,19 +175,9 @@ void Simulation::note_onset()
 
 void Simulation::give_up(const Motion& motion, double t, double dt) const
 {
-    const auto i = static_cast<std::size_t>(internal_.invalid_at);
-    const Mat3 F = solver_->deformation_gradients(motion.x)[i];
-    const Vec3 x = motion.x[i];
-    const Vec3 X = body_.cloud.positions[i];
-    throw RunError(fmt::format("particle {} inverted at step {}, t = {:.6g}, after {} halvings of the step (dt/T = "
-                               "{:.3g}): position ({:.5g}, {:.5g}, "
-                               "{:.5g}) mm, reference ({:.5g}, {:.5g}, {:.5g}) mm, depth {:.4g} mm, J = {:.4g}, F = "
-                               "[[{:.4g}, {:.4g}, {:.4g}], "
-                               "[{:.4g}, {:.4g}, {:.4g}], [{:.4g}, {:.4g}, {:.4g}]], {} neighbours",
-                               i, state_.steps + 1, t, options_.dynamics.max_halvings, dt / total_time_, x.x, x.y, x.z,
-                               X.x, X.y, X.z, body_.tissue.depth[i], determinant(F), F(0, 0), F(0, 1), F(0, 2), F(1, 0),
-                               F(1, 1), F(1, 2), F(2, 0), F(2, 1), F(2, 2),
-                               body_.particles.pairs.size(internal_.invalid_at)));
+    throw RunError(fmt::format("inverted at step {}, t = {:.6g}, after {} halvings of the step (dt/T = {:.3g}): {}",
+                               state_.steps + 1, t, options_.dynamics.max_halvings, dt / total_time_,
+                               solver_->diagnosis(internal_.invalid_at, motion.x)));
 }
 
 } // namespace corticle

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace corticle
@@ -20,11 +21,16 @@ struct InternalResponse
     double stiffest_rate = 0.0; ///< largest wave speed at density 1 over smallest principal stretch, growth included,
                                 ///< for points one spacing apart
     double smallest_J = 0.0;    ///< smallest det F
-    std::int64_t smallest_J_at = -1; ///< its material point
-    std::int64_t barrier_count = 0;  ///< material points whose barrier acts
-    std::int64_t invalid_at = -1; ///< first material point with det F <= 0 (where that is not allowed) or a non-finite
-                                  ///< value; -1 when the state is sound
+    std::int64_t smallest_J_at = -1;     ///< its material point
+    std::int64_t barrier_count = 0;      ///< material points whose barrier acts
+    std::int64_t extrapolated_count = 0; ///< elements so flat in one direction that their law is extrapolated
+    std::int64_t inverted_count = 0;     ///< elements with det F <= 0, which survive
+    std::int64_t invalid_at = -1; ///< first node beside which det F <= 0 (where that is not allowed) or a value is not
+                                  ///< finite; -1 when the state is sound
 };
+
+/// "position (1, 2, 3) mm, reference (1, 2, 2.5) mm, depth 0.1 mm, J = 0.5, F = [[...], [...], [...]]"
+std::string describe_point(const Vec3& x, const Vec3& X, double depth, const Mat3& F);
 
 /// A body cut into nodes that carry mass and material points that carry stress: says which forces the tissue exerts on
 /// its nodes for given positions and growth. Contact, integrator, measures and output know no more of it.
@@ -43,6 +49,10 @@ class Discretization
 
     /// F at every node for given positions of the nodes.
     virtual std::vector<Mat3> deformation_gradients(std::span<const Vec3> x) const = 0;
+
+    /// What is known of the material point at fault where `invalid_at` is this node: "particle 12: position ..., J
+    /// ...".
+    virtual std::string diagnosis(std::int64_t node, std::span<const Vec3> x) const = 0;
 };
 
 } // namespace corticle

@@ -18,6 +18,14 @@ struct BasicElasticResponse
 };
 using ElasticResponse = BasicElasticResponse<double>;
 
+/// Volumetric part of the law.
+template <RealLike Real>
+struct VolumetricResponse
+{
+    Real energy;   ///< barrier included [mu_w]
+    Real pressure; ///< dW/dJ_e, positive in tension [mu_w]
+};
+
 /// Compressible neo-Hookean solid (thesis eq. 18):
 /// W = mu/2 (tr(F_e F_e^T) J_e^-2/3 - 3) + K/2 (J_e - 1)².
 /// W alone stays finite as J_e -> 0, so a crushed point does not push back; below J_e = barrier_J the term
@@ -29,25 +37,33 @@ struct BasicNeoHookean
     Real bulk_modulus;  ///< K [mu_w]
     double barrier_J;   ///< [-]
 
+    CORTICLE_INLINE VolumetricResponse<Real> respond_to_volume(Real J_e) const
+    {
+        Real pressure = bulk_modulus * (J_e - 1.0);
+        Real energy = 0.5 * pressure * (J_e - 1.0);
+        Real K = bulk_modulus;
+        for_lanes(J_e < barrier_J,
+                  [&](int lane)
+                  {
+                      if (barrier_J > 0.0) // averages over elements may be negative
+                      {
+                          const double depth = std::log(at_lane(J_e, lane) / barrier_J);
+                          at_lane(energy, lane) += 0.5 * at_lane(K, lane) * depth * depth;
+                          at_lane(pressure, lane) += at_lane(K, lane) * depth / at_lane(J_e, lane);
+                      }
+                  });
+        return {energy, pressure};
+    }
+
     /// @param F_e  elastic deformation gradient, det F_e > 0
     CORTICLE_INLINE BasicElasticResponse<Real> respond(const BasicMat3<Real>& F_e) const
     {
         const BasicMat3<Real> cofactor_e = cofactor(F_e);
-        Real J_e = dot(F_e.column[0], cofactor_e.column[0]);
+        const Real J_e = dot(F_e.column[0], cofactor_e.column[0]);
         const Real r = inverse_cube_root(J_e);
         const Real scale = shear_modulus * r * r;
         const Real trace_C = contract(F_e, F_e);
-        Real pressure = bulk_modulus * (J_e - 1.0); // dW/dJ_e of the volumetric part
-        Real volumetric = 0.5 * pressure * (J_e - 1.0);
-        for_lanes(J_e < barrier_J,
-                  [&](int lane)
-                  {
-                      const double J = at_lane(J_e, lane);
-                      Real K = bulk_modulus;
-                      const double depth = std::log(J / barrier_J);
-                      at_lane(volumetric, lane) += 0.5 * at_lane(K, lane) * depth * depth;
-                      at_lane(pressure, lane) += at_lane(K, lane) * depth / J;
-                  });
+        const auto [volumetric, pressure] = respond_to_volume(J_e);
         return {0.5 * (scale * trace_C - 3.0 * shear_modulus), volumetric,
                 scale * F_e + (pressure - scale * trace_C / (3.0 * J_e)) * cofactor_e};
     }

@@ -5,6 +5,8 @@
 #include "corticle/tissue/growth.hpp"
 #include "corticle/tissue/neo_hookean.hpp"
 
+#include <fmt/format.h>
+
 #include <limits>
 
 namespace corticle
@@ -367,6 +369,14 @@ std::vector<Mat3> TlsphSolver::deformation_gradients(std::span<const Vec3> x) co
         },
         particles_.pairs.block_size);
     return F;
+}
+
+std::string TlsphSolver::diagnosis(std::int64_t node, std::span<const Vec3> x) const
+{
+    const auto i = static_cast<std::size_t>(node);
+    const Mat3 F = deformation_gradients(x)[i];
+    return fmt::format("particle {}: {}, {} neighbours", i, describe_point(x[i], particles_.X[i], tissue_.depth[i], F),
+                       particles_.pairs.begin[i + 1] - particles_.pairs.begin[i]);
 }
 
 } // namespace corticle

@@ -22,6 +22,8 @@ class TlsphSolver final : public Discretization
 
     std::vector<Mat3> deformation_gradients(std::span<const Vec3> x) const override;
 
+    std::string diagnosis(std::int64_t node, std::span<const Vec3> x) const override;
+
   private:
     const Particles& particles_;
     const Tissue& tissue_;

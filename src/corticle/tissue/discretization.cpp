@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/tissue/discretization.hpp"
+
+#include <fmt/format.h>
+
+namespace corticle
+{
+
+std::string describe_point(const Vec3& x, const Vec3& X, double depth, const Mat3& F)
+{
+    return fmt::format("position ({:.5g}, {:.5g}, {:.5g}) mm, reference ({:.5g}, {:.5g}, {:.5g}) mm, depth {:.4g} mm, "
+                       "J = {:.4g}, F = [[{:.4g}, {:.4g}, {:.4g}], [{:.4g}, {:.4g}, {:.4g}], [{:.4g}, {:.4g}, "
+                       "{:.4g}]]",
+                       x.x, x.y, x.z, X.x, X.y, X.z, depth, determinant(F), F(0, 0), F(0, 1), F(0, 2), F(1, 0), F(1, 1),
+                       F(1, 2), F(2, 0), F(2, 1), F(2, 2));
+}
+
+} // namespace corticle

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/geometry/tetrahedralize.hpp"
+
+#include "corticle/base/error.hpp"
+#include "corticle/base/parallel.hpp"
+#include "corticle/geometry/remesh.hpp"
+#include "corticle/geometry/shapes.hpp"
+#include "corticle/geometry/validate_tets.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace corticle
+{
+namespace
+{
+
+constexpr std::int64_t nodes = 2200;
+
+TriangleMesh ellipsoid_surface()
+{
+    return make_ellipsoid({12.0, 10.0, 8.0}, 1.3);
+}
+
+TEST(Tetrahedralize, FillsTheSurfaceAndKeepsItsVertices)
+{
+    const TriangleMesh surface = ellipsoid_surface();
+    const TetMesh mesh = tetrahedralize(surface, nodes);
+    EXPECT_TRUE(std::equal(surface.vertices.begin(), surface.vertices.end(), mesh.vertices.begin()));
+    EXPECT_NEAR(mesh_volume(mesh) / enclosed_volume(surface.vertices, surface.triangles), 1.0, 1e-12);
+    const TetBoundary boundary = boundary_of(mesh);
+    EXPECT_EQ(boundary.surface.vertices, surface.vertices);
+    EXPECT_EQ(boundary.surface.triangles.size(), surface.triangles.size());
+    TetReport report;
+    EXPECT_EQ(require_valid_tets(mesh, "mesh", &report).tets.size(), mesh.tets.size());
+    EXPECT_TRUE(report.lines.empty()) << report.lines[0];
+    EXPECT_NEAR(static_cast<double>(mesh.vertices.size()) / nodes, 1.0, 0.05);
+    EXPECT_GT(report.smallest_mean_ratio, 0.3);
+}
+
+TEST(Tetrahedralize, GivesTheSameForAnyNumberOfThreads)
+{
+    const int threads = thread_count();
+    set_thread_count(1);
+    const TetMesh one = tetrahedralize(ellipsoid_surface(), nodes);
+    set_thread_count(2);
+    const TetMesh two = tetrahedralize(ellipsoid_surface(), nodes);
+    EXPECT_EQ(thread_count(), 2); // as it was
+    set_thread_count(threads);
+    EXPECT_EQ(one.vertices, two.vertices);
+    EXPECT_EQ(one.tets, two.tets);
+}
+
+TEST(Tetrahedralize, ASurfaceThatCrossesItselfIsRefused)
+{
+    TriangleMesh surface = ellipsoid_surface();
+    for (Vec3& v : surface.vertices) // one half is pushed through the other
+    {
+        v.x = v.x > 5.0 ? v.x - 20.0 : v.x;
+    }
+    EXPECT_THROW(tetrahedralize(surface, nodes), InputError);
+}
+
+TEST(Tetrahedralize, MeetsTheNumberOfTetsAskedFor)
+{
+    constexpr double radius = 12.496;
+    constexpr double edge_per_spacing = 1.05;
+    const double volume = 4.0 / 3.0 * std::numbers::pi * std::pow(radius, 3);
+    const double area = 4.0 * std::numbers::pi * radius * radius;
+    for (const std::int64_t tets : {5000, 50000})
+    {
+        const double tolerance = tets > 20000 ? 0.03 : 0.08; // a coarse surface has less volume than its sphere
+        const std::int64_t count = nodes_for_tets(tets, volume, area, edge_per_spacing);
+        const double spacing = std::cbrt(volume / static_cast<double>(count));
+        const TetMesh mesh =
+            tetrahedralize(make_ellipsoid({radius, radius, radius}, edge_per_spacing * spacing), count);
+        EXPECT_NEAR(static_cast<double>(mesh.tets.size()) / static_cast<double>(tets), 1.0, tolerance) << tets;
+        EXPECT_NEAR(static_cast<double>(mesh.vertices.size()) / static_cast<double>(count), 1.0, tolerance) << tets;
+    }
+}
+
+} // namespace
+} // namespace corticle
