@@ -69,7 +69,7 @@ def bad_cases(bench):
     refused('[geometry]\nshape = "file"\n', ["geometry.file"])
     refused(FILE_CASE.format("no_such.stl"), ["no_such.stl"])
     refused("[tissue]\nlambda = 0.5\n", ["tissue.lambda", "binary"])
-    refused('[solver]\nmethod = "fem"\n', ["fem", "tlsph"])
+    refused('[solver]\nmethod = "mpm"\n', ["mpm", "tlsph", "fem"])
     refused(b"\xff\xfe\x00", ["case.toml"])
     refused("a = " + "[" * 100000, ["case.toml"])
     refused("", ["time.ends", "time.end?"], "--set", "time.ends=1")

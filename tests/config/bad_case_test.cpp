@@ -99,7 +99,7 @@ TEST(BadCase, OutOfRange)
                      {"out of range", "case.toml:2", "(0, 1000] mm"});
     }
     expect_parts(refusal("[geometry]\nshape = \"cube\"\n"), {"\"cube\"", "\"file\""});
-    expect_parts(refusal("[solver]\nmethod = \"fem\"\n"), {"\"fem\"", "\"tlsph\""});
+    expect_parts(refusal("[solver]\nmethod = \"mpm\"\n"), {"\"mpm\"", "\"tlsph\"", "\"fem\""});
     expect_parts(refusal("[geometry]\nsemi_axes_mm = [1, 2]\n"), {"list of 3 numbers"});
     expect_parts(refusal("[geometry]\nsemi_axes_mm = [1, 2, nan]\n"), {"out of range"});
     expect_parts(refusal("[output]\ntimes = [0.5, 0.5]\n"), {"increasing"});

@@ -24,6 +24,17 @@ struct alignas(sizeof(Real) == sizeof(double) ? 32 : alignof(Real)) BasicVec3
 };
 using Vec3 = BasicVec3<double>;
 
+/// A Vec3 and its fourth lane in one SIMD register, or in two, or in four scalars, as the processor has it.
+using Lanes = double __attribute__((vector_size(32), may_alias));
+CORTICLE_INLINE const Lanes& lanes(const Vec3& v)
+{
+    return *reinterpret_cast<const Lanes*>(&v.x);
+}
+CORTICLE_INLINE Lanes& lanes(Vec3& v)
+{
+    return *reinterpret_cast<Lanes*>(&v.x);
+}
+
 /// A factor that a vector of Real can be multiplied with.
 template <class Factor, class Real>
 concept FactorOf = std::same_as<Factor, Real> || std::integral<Factor> || std::floating_point<Factor>;

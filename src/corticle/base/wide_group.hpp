@@ -11,18 +11,11 @@ namespace corticle
 using WideVec3 = BasicVec3<WideLanes>;
 using WideMat3 = BasicMat3<WideLanes>;
 
-namespace detail
-{
-using FourLanes = double __attribute__((vector_size(32), may_alias));
-
-/// (a, b) in one register.
+/// (a, b) in one register, with their fourth lanes.
 CORTICLE_INLINE WideLanes joined(const Vec3& a, const Vec3& b)
 {
-    const FourLanes low = *reinterpret_cast<const FourLanes*>(&a);
-    const FourLanes high = *reinterpret_cast<const FourLanes*>(&b);
-    return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+    return __builtin_shufflevector(lanes(a), lanes(b), 0, 1, 2, 3, 4, 5, 6, 7);
 }
-} // namespace detail
 
 /// Up to eight consecutive material points that laws treat at once, one per lane. Lanes past the last point repeat it
 /// and count for nothing.
@@ -54,10 +47,10 @@ struct WideGroup
     template <class Vector>
     CORTICLE_INLINE WideVec3 gather_vectors(Vector&& vector) const
     {
-        const WideLanes r04 = detail::joined(vector(at(0)), vector(at(4)));
-        const WideLanes r15 = detail::joined(vector(at(1)), vector(at(5)));
-        const WideLanes r26 = detail::joined(vector(at(2)), vector(at(6)));
-        const WideLanes r37 = detail::joined(vector(at(3)), vector(at(7)));
+        const WideLanes r04 = joined(vector(at(0)), vector(at(4)));
+        const WideLanes r15 = joined(vector(at(1)), vector(at(5)));
+        const WideLanes r26 = joined(vector(at(2)), vector(at(6)));
+        const WideLanes r37 = joined(vector(at(3)), vector(at(7)));
         const WideLanes xz0 = __builtin_shufflevector(r04, r15, 0, 8, 2, 10, 4, 12, 6, 14);
         const WideLanes xz2 = __builtin_shufflevector(r26, r37, 0, 8, 2, 10, 4, 12, 6, 14);
         const WideLanes yw0 = __builtin_shufflevector(r04, r15, 1, 9, 3, 11, 5, 13, 7, 15);

@@ -91,23 +91,30 @@ TetCloud every_node(const TetMesh& mesh)
     const std::vector<double> node_volume = node_volumes(mesh);
     std::vector<Vec3> points = boundary.surface.vertices;
     std::vector<double> volumes;
-    std::vector<char> is_on_surface(mesh.vertices.size(), 0);
+    std::vector<std::int32_t> point_of(mesh.vertices.size(), -1);
     for (const std::int32_t node : boundary.nodes)
     {
-        is_on_surface[node] = 1;
+        point_of[node] = static_cast<std::int32_t>(volumes.size());
         volumes.push_back(node_volume[node]);
     }
     for (std::size_t node = 0; node < mesh.vertices.size(); ++node)
     {
-        if (is_on_surface[node] == 0)
+        if (point_of[node] < 0)
         {
+            point_of[node] = static_cast<std::int32_t>(points.size());
             points.push_back(mesh.vertices[node]);
             volumes.push_back(node_volume[node]);
         }
     }
     TetCloud result;
-    result.cloud = ordered_cloud(points, volumes, boundary.surface);
+    std::vector<std::int32_t> particle_of;
+    result.cloud = ordered_cloud(points, volumes, boundary.surface, &particle_of);
     result.surface = std::move(boundary.surface);
+    for (const Tet& tet : mesh.tets)
+    {
+        const auto corner = [&](int a) { return particle_of[point_of[tet[a]]]; };
+        result.tets.push_back({corner(0), corner(1), corner(2), corner(3)});
+    }
     return result;
 }
 

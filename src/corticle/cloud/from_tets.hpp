@@ -28,6 +28,7 @@ struct TetCloudOptions
 struct TetCloud
 {
     Cloud cloud;
+    std::vector<Tet> tets;             ///< with particles for corners; empty where nodes were left out
     TriangleMesh surface;              ///< reference surface; its vertices are cloud.surface_particles
     RemeshReport remesh;               ///< zero when the boundary of the tets serves as it is
     std::vector<std::string> warnings; ///< one line each

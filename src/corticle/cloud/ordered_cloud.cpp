@@ -8,7 +8,8 @@
 namespace corticle
 {
 
-Cloud ordered_cloud(std::span<const Vec3> points, std::span<const double> volumes, const TriangleMesh& surface)
+Cloud ordered_cloud(std::span<const Vec3> points, std::span<const double> volumes, const TriangleMesh& surface,
+                    std::vector<std::int32_t>* particle_of)
 {
     Cloud cloud;
     const std::vector<std::int32_t> order = hilbert_order(points);
@@ -20,6 +21,14 @@ Cloud ordered_cloud(std::span<const Vec3> points, std::span<const double> volume
         if (static_cast<std::size_t>(order[k]) < surface.vertices.size())
         {
             cloud.surface_particles[order[k]] = static_cast<std::int32_t>(k);
+        }
+    }
+    if (particle_of != nullptr)
+    {
+        particle_of->resize(order.size());
+        for (std::size_t k = 0; k < order.size(); ++k)
+        {
+            (*particle_of)[order[k]] = static_cast<std::int32_t>(k);
         }
     }
     cloud.surface_triangles = surface.triangles;

@@ -10,6 +10,8 @@ namespace corticle
 
 /// A cloud of points [mm] with their volumes [mm³], numbered along a space-filling curve. The first points are the
 /// vertices of the surface. The spacing is the cube root of the volume per particle.
-Cloud ordered_cloud(std::span<const Vec3> points, std::span<const double> volumes, const TriangleMesh& surface);
+/// @param particle_of  out, the particle that each point became; null if not wanted
+Cloud ordered_cloud(std::span<const Vec3> points, std::span<const double> volumes, const TriangleMesh& surface,
+                    std::vector<std::int32_t>* particle_of = nullptr);
 
 } // namespace corticle

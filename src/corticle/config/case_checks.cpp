@@ -66,7 +66,37 @@ void check_file_keys(const GeometryOptions& geometry, const Place& place)
     require_file("geometry.image_volume", geometry.mask.volume.has_value());
     require_file("geometry.hemisphere", geometry.mask.hemisphere != "both");
     require_file("geometry.repair", geometry.repair != Repair::none);
-    require_file("geometry.arrangement", geometry.arrangement != "body_fitted");
+    require_file("geometry.arrangement", geometry.arrangement != "body_fitted" && geometry.arrangement != "mesh_nodes");
+}
+
+/// Keys that belong to one method.
+void check_method(const Options& options, const Place& place)
+{
+    const GeometryOptions& geometry = options.geometry;
+    if (options.elements && options.method != Method::fem)
+    {
+        throw InputError(fmt::format("solver.elements{} is given, but solver.method{} is \"tlsph\": expected method = "
+                                     "\"fem\"",
+                                     place("solver.elements"), place("solver.method")));
+    }
+    const char* const other = geometry.particles ? "geometry.particles" : "geometry.spacing_mm";
+    if (options.elements && (geometry.particles || geometry.spacing_mm))
+    {
+        throw InputError(fmt::format("solver.elements{} and {}{} are both given: expected one",
+                                     place("solver.elements"), other, place(other)));
+    }
+    const auto require = [&](std::string_view key, const std::string& got, bool holds, std::string_view expected)
+    {
+        if (options.method == Method::fem && !holds)
+        {
+            throw InputError(fmt::format("{}{} is \"{}\", but solver.method{} is \"fem\": expected {}", key, place(key),
+                                         got, place("solver.method"), expected));
+        }
+    };
+    require("geometry.arrangement", geometry.arrangement, !geometry.arrangement.starts_with("thinned"),
+            "\"body_fitted\" or \"tet_nodes\"");
+    require("geometry.volumes", geometry.volumes, geometry.volumes == "cells", "\"cells\"");
+    require("geometry.normals", geometry.normals, geometry.normals == "surface", "\"surface\"");
 }
 
 void check_maps(const MapOptions& map, const Place& place)
@@ -137,6 +167,7 @@ void check_case(const Options& options, const Place& place)
 {
     check_geometry(options.geometry, place);
     check_file_keys(options.geometry, place);
+    check_method(options, place);
     check_maps(options.map, place);
     check_particle_count(options.geometry, place);
     check_tissue(options, place);

@@ -160,6 +160,10 @@ void CaseReader::forget(const std::string& key)
     {
         options_.geometry.particles.reset();
     }
+    else if (key == "solver.elements")
+    {
+        options_.elements.reset();
+    }
     else
     {
         const Parameter* parameter = find_parameter(key);
@@ -179,7 +183,11 @@ void CaseReader::settle_alternatives()
         }
     };
     replace("geometry.spacing_mm", "geometry.particles");
+    replace("geometry.spacing_mm", "solver.elements");
     replace("geometry.particles", "geometry.spacing_mm");
+    replace("geometry.particles", "solver.elements");
+    replace("solver.elements", "geometry.particles");
+    replace("solver.elements", "geometry.spacing_mm");
     replace("output.count", "output.times");
     replace("output.count", "output.weeks");
     replace("output.weeks", "output.times");
@@ -205,7 +213,7 @@ void CaseReader::read_overrides(std::span<const std::string> overrides)
 Options CaseReader::finish()
 {
     GeometryOptions& geometry = options_.geometry;
-    if (!geometry.spacing_mm && !geometry.particles)
+    if (!geometry.spacing_mm && !geometry.particles && !options_.elements)
     {
         geometry.particles = default_particles;
     }
@@ -229,7 +237,8 @@ bool matters_to_a_run(const Parameter& parameter)
 
 bool matters_to_a_body(const Parameter& parameter)
 {
-    return parameter.section() == "geometry" || parameter.section() == "map";
+    return parameter.section() == "geometry" || parameter.section() == "map" || parameter.key == "solver.method" ||
+           parameter.key == "solver.elements";
 }
 
 std::vector<std::string> differing(std::string_view resolved_a, std::string_view resolved_b,

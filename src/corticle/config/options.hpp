@@ -32,9 +32,9 @@ struct GeometryOptions
     Repair repair = Repair::none;          ///< of a surface that is not closed and embedded
     RepairOptions wrap;                    ///< keys wrap_alpha_mm, wrap_offset_mm
     std::optional<double> spacing_mm;      ///< either this
-    std::optional<std::int64_t> particles; ///< or this
+    std::optional<std::int64_t> particles; ///< or this, or Options::elements
     std::int64_t seed = 1;
-    std::string arrangement = "body_fitted"; ///< "body_fitted" | "tet_nodes" | "thinned" | "thinned_at_random"
+    std::string arrangement = "body_fitted"; ///< "body_fitted" | "mesh_nodes" | "tet_nodes" | "thinned" | ...
     std::string volumes = "cells";           ///< of the particles: "cells" | "neighbour_count"
     std::string normals = "surface";         ///< of the particles: "surface" | "divisions"
     std::int64_t normal_divisions = 8;       ///< where normals = "divisions"
@@ -74,9 +74,18 @@ struct TimeOptions
     std::optional<double> end_week;                  ///< gestational age at which the run ends
 };
 
+/// How a body is cut up.
+enum class Method
+{
+    tlsph, ///< particles
+    fem    ///< linear tetrahedra
+};
+
 /// What the user chose.
 struct Options
 {
+    Method method = Method::tlsph;        ///< key solver.method
+    std::optional<std::int64_t> elements; ///< key solver.elements: about this many tets
     GeometryOptions geometry;
     MapOptions map;
     TissueOptions tissue;

@@ -17,6 +17,11 @@ namespace corticle::detail
 template <class Enum>
 std::vector<std::string> names();
 template <>
+inline std::vector<std::string> names<Method>()
+{
+    return {"tlsph", "fem"};
+}
+template <>
 inline std::vector<std::string> names<Layer>()
 {
     return {"smooth", "binary"};
@@ -172,19 +177,6 @@ Parameter path(std::string key, std::string sentence, Access access)
 {
     Parameter result = parameter(std::move(key), "", {}, std::move(sentence), access);
     result.is_path = true;
-    return result;
-}
-
-/// A parameter with one possible value, kept nowhere.
-inline Parameter constant(std::string key, const std::string& value, std::string sentence)
-{
-    Parameter result;
-    result.key = std::move(key);
-    result.kind = Kind::choice;
-    result.choices = {value};
-    result.sentence = std::move(sentence);
-    result.get = [value](const Options&) -> Value { return value; };
-    result.set = [](Options&, const Value&) {};
     return result;
 }
 

@@ -56,16 +56,16 @@ std::vector<Parameter> geometry_parameters()
         choice("geometry.hemisphere", {"both", "left", "right"}, "Which part of the mask is taken.",
                CORTICLE_MEMBER(geometry.mask.hemisphere)),
         parameter("geometry.spacing_mm", "mm", above(0.0, 1000.0),
-                  "Distance between neighbouring particles; instead of particles.",
+                  "Distance between neighbouring particles or nodes; instead of particles.",
                   CORTICLE_MEMBER(geometry.spacing_mm)),
         parameter("geometry.particles", "",
                   between(static_cast<double>(fewest_particles), static_cast<double>(most_particles)),
-                  "About this many particles; instead of spacing_mm.", CORTICLE_MEMBER(geometry.particles)),
+                  "About this many particles or nodes; instead of spacing_mm.", CORTICLE_MEMBER(geometry.particles)),
         parameter("geometry.seed", "", at_least(0.0), "Seed of the arrangement of particles.",
                   CORTICLE_MEMBER(geometry.seed)),
-        choice("geometry.arrangement", {"body_fitted", "tet_nodes", "thinned", "thinned_at_random"},
-               "Particles: arranged to fit the body, or the nodes of a tet mesh: all, thinned evenly, or thinned at "
-               "random (thesis section 2.4.1).",
+        choice("geometry.arrangement", {"body_fitted", "mesh_nodes", "tet_nodes", "thinned", "thinned_at_random"},
+               "Particles: arranged to fit the body, the nodes of the tets that method = \"fem\" makes of it, or the "
+               "nodes of a tet mesh from a file: all, thinned evenly, or thinned at random (thesis section 2.4.1).",
                CORTICLE_MEMBER(geometry.arrangement)),
         choice("geometry.volumes", {"cells", "neighbour_count"},
                "Volumes of the particles: exact, or by neighbour counts (thesis eqs. 25 and 26).",
@@ -173,7 +173,12 @@ std::vector<Parameter> tissue_parameters()
 std::vector<Parameter> solver_parameters()
 {
     return {
-        constant("solver.method", "tlsph", "Discretisation: Total-Lagrangian SPH."),
+        parameter("solver.method", "", {}, "Discretisation: Total-Lagrangian SPH, or finite elements (linear tets).",
+                  CORTICLE_MEMBER(method)),
+        parameter("solver.elements", "",
+                  between(static_cast<double>(fewest_elements), static_cast<double>(most_elements)),
+                  "About this many tets, with method = \"fem\"; instead of geometry.particles or geometry.spacing_mm.",
+                  CORTICLE_MEMBER(elements)),
         parameter("solver.support", "spacings", between(1.5, 5.0), "Support radius of the kernel.",
                   CORTICLE_MEMBER(tlsph.support)),
         parameter("solver.zeta", "", between(0.0, 10.0), "Strength of the control of zero-energy modes.",

@@ -1,30 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/fem/elements.hpp"
-#include "corticle/tissue/discretization.hpp"
-#include "corticle/tissue/tissue.hpp"
+#include "corticle/fem/passes.hpp"
 
 namespace corticle
 {
-
-/// Volume of a node, or the part of it that one chunk of tets gives: sums of a quarter of the adjacent tets.
-struct alignas(32) NodalVolume
-{
-    double current = 0.0; ///< [mm³]
-    double grown = 0.0;   ///< sum of J_g V / 4 [mm³]
-    double bulk = 0.0;    ///< sum of K J_g V / 4 [mu_w mm³]
-    double lane = 0.0;    ///< fills the register
-};
-
-/// What the volume ratio Ja of a node gives to its tets.
-struct alignas(32) NodalPressure
-{
-    double pressure = 0.0; ///< K U'(Ja) [mu_w]
-    double density = 0.0;  ///< U(Ja) [-]
-    double work = 0.0;     ///< K U'(Ja) Ja [mu_w]
-    double lane = 0.0;     ///< fills the register
-};
 
 /// Linear tetrahedra with the volumetric energy on nodal averages of the volume ratio (Tallinen et al. 2016, in the
 /// form that is a gradient; see docs/theory/fem.md):

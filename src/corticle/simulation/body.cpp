@@ -9,6 +9,7 @@
 #include "corticle/cloud/neighbor_count_volumes.hpp"
 #include "corticle/config/parameters.hpp"
 #include "corticle/geometry/shapes.hpp"
+#include "corticle/geometry/tetrahedralize.hpp"
 #include "corticle/simulation/body_maps.hpp"
 #include "corticle/simulation/body_source.hpp"
 #include "corticle/tissue/ellipsoid.hpp"
@@ -32,59 +33,79 @@ ReferenceSize thinning_size(const Options& options)
             options.time.start_week.value_or(0.0)};
 }
 
-/// Depth and normal of every particle from the closest point of the surface; exact on the surface itself.
-void set_depth(const SurfaceTree& tree, Body& body)
+/// Depth and normal of every place from the closest point of the surface.
+void set_depth(const SurfaceTree& tree, std::span<const Vec3> places, Tissue& tissue)
 {
-    const std::size_t count = body.cloud.positions.size();
-    Tissue& tissue = body.tissue;
-    tissue.depth.resize(count);
-    tissue.normal.resize(count);
-    parallel_for(static_cast<std::int64_t>(count),
-                 [&](std::int64_t signed_i)
+    tissue.depth.resize(places.size());
+    tissue.normal.resize(places.size());
+    parallel_for(std::ssize(places),
+                 [&](std::int64_t i)
                  {
-                     const auto i = static_cast<std::size_t>(signed_i);
-                     const SurfacePoint nearest = tree.closest(body.cloud.positions[i]);
+                     const SurfacePoint nearest = tree.closest(places[i]);
                      tissue.depth[i] = std::sqrt(nearest.squared_distance);
                      tissue.normal[i] = tree.interpolated_normal(nearest);
                  });
-    for (const std::int32_t particle : body.cloud.surface_particles)
-    {
-        tissue.depth[static_cast<std::size_t>(particle)] = 0.0;
-    }
 }
 
-/// Surface and particles of the options' arrangement; the surface's vertices are particles.
+void set_maps(const MapOptions& options, const TriangleMesh& map_surface, std::span<const Vec3> places, Tissue& tissue)
+{
+    BodyMaps maps = read_body_maps(options, map_surface, places);
+    tissue.regional_rate = std::move(maps.growth);
+    tissue.growth_onset = std::move(maps.onset);
+    tissue.growth_rate = std::move(maps.rate);
+    tissue.thickness = std::move(maps.thickness);
+}
+
+/// Nodes of tets as particles; the tets themselves become elements where the method asks for them.
+void take_nodes(const Options& options, TetCloud nodes, Body& body)
+{
+    body.cloud = std::move(nodes.cloud);
+    body.surface = std::move(nodes.surface);
+    body.report.remesh = nodes.remesh;
+    if (options.method == Method::fem)
+    {
+        body.fem.emplace();
+        body.fem->elements =
+            make_elements(body.cloud.positions, ordered_tets(body.cloud.positions, nodes.tets), body.cloud.spacing);
+        return;
+    }
+    std::ranges::move(nodes.warnings, std::back_inserter(body.report.warnings));
+}
+
+/// Surface and particles or tets of the options' arrangement; the surface's vertices are particles.
 void set_cloud(const Options& options, const BodySource& source, Body& body)
 {
     const GeometryOptions& geometry = options.geometry;
-    const auto [spacing, particles] = resolve_resolution(options, source.volume);
-    if (geometry.arrangement != "body_fitted")
+    const auto [spacing, particles] = resolve_resolution(options, source.volume, source.area);
+    if (geometry.arrangement == "body_fitted" || geometry.arrangement == "mesh_nodes")
     {
-        if (!source.tets)
+        body.surface = geometry.shape == "file"
+                           ? remesh_isotropic(source.surface, edge_per_spacing * spacing, &body.report.remesh)
+                           : make_ellipsoid(semi_axes(geometry), edge_per_spacing * spacing);
+        if (options.method == Method::tlsph && geometry.arrangement == "body_fitted")
         {
-            throw InputError(
-                fmt::format("geometry.arrangement = \"{}\": the nodes of a tet mesh become particles, but {} "
-                            "is none; expected a tet mesh, or arrangement = \"body_fitted\"",
-                            geometry.arrangement, geometry.file));
+            body.cloud = fill_surface(body.surface, {spacing, static_cast<std::uint64_t>(geometry.seed)});
+            return;
         }
-        TetCloudOptions chosen;
-        chosen.seed = static_cast<std::uint64_t>(geometry.seed);
-        chosen.thinning = geometry.arrangement == "thinned" ? Thinning::uniform : Thinning::random;
-        if (geometry.arrangement != "tet_nodes")
-        {
-            chosen.particles = particles;
-        }
-        TetCloud nodes = cloud_from_tets(*source.tets, chosen);
-        body.cloud = std::move(nodes.cloud);
-        body.surface = std::move(nodes.surface);
-        body.report.remesh = nodes.remesh;
-        std::ranges::move(nodes.warnings, std::back_inserter(body.report.warnings));
+        const RemeshReport remesh = body.report.remesh;
+        take_nodes(options, cloud_from_tets(tetrahedralize(body.surface, particles)), body);
+        body.report.remesh = remesh;
         return;
     }
-    body.surface = geometry.shape == "file"
-                       ? remesh_isotropic(source.surface, edge_per_spacing * spacing, &body.report.remesh)
-                       : make_ellipsoid(semi_axes(geometry), edge_per_spacing * spacing);
-    body.cloud = fill_surface(body.surface, {spacing, static_cast<std::uint64_t>(geometry.seed)});
+    if (!source.tets)
+    {
+        throw InputError(fmt::format("geometry.arrangement = \"{}\": the nodes of a tet mesh become particles, but {} "
+                                     "is none; expected a tet mesh, or arrangement = \"body_fitted\"",
+                                     geometry.arrangement, geometry.file));
+    }
+    TetCloudOptions chosen;
+    chosen.seed = static_cast<std::uint64_t>(geometry.seed);
+    chosen.thinning = geometry.arrangement == "thinned" ? Thinning::uniform : Thinning::random;
+    if (geometry.arrangement != "tet_nodes")
+    {
+        chosen.particles = particles;
+    }
+    take_nodes(options, cloud_from_tets(*source.tets, chosen), body);
 }
 
 /// What the thesis does instead, where the options ask for it.
@@ -104,13 +125,12 @@ void apply_thesis_choices(const Options& options, Body& body)
     }
 }
 
-/// The cortex at the start, and the growth that lies behind it.
-void set_layer(const Options& options, Body& body)
+/// The cortex at the start, and the growth that lies behind it. @param volumes  of the places
+void start_tissue(const Options& options, std::span<const Vec3> nodes, std::span<const Vec3> places,
+                  std::vector<double> volumes, Tissue& tissue)
 {
-    Tissue& tissue = body.tissue;
     tissue.options = options.tissue;
-    tissue.volume = body.cloud.volumes;
-    const std::vector<Vec3>& X = body.cloud.positions;
+    tissue.volume = std::move(volumes);
     if (options.tissue.layer != Layer::binary || options.tissue.lambda == 0.0)
     {
         tissue.size = thinning_size(options);
@@ -119,13 +139,24 @@ void set_layer(const Options& options, Body& body)
     }
     else if (options.geometry.shape == "file")
     {
-        tissue.theta = ellipsoid_layer_by_centres(X, fitted_semi_axes(X), options.tissue.lambda, extents_centre(X));
+        tissue.theta =
+            ellipsoid_layer_by_centres(places, fitted_semi_axes(nodes), options.tissue.lambda, extents_centre(nodes));
     }
     else
     {
-        tissue.theta = ellipsoid_layer(X, tissue.volume, semi_axes(options.geometry), options.tissue.lambda);
+        tissue.theta = ellipsoid_layer(places, tissue.volume, semi_axes(options.geometry), options.tissue.lambda);
     }
     tissue.start_growth(options.time.start);
+}
+
+void connect_particles(const Options& options, Body& body)
+{
+    const SurfaceTree tree(body.surface.vertices, body.surface.triangles);
+    const Neighbors pairs =
+        find_neighbors(body.cloud, tree, options.tlsph.support * body.cloud.spacing, &body.report.visibility);
+    body.report.neighbors_mean =
+        static_cast<double>(pairs.index.size()) / static_cast<double>(body.cloud.positions.size());
+    body.particles = make_particles(body.cloud, pairs, options.tlsph);
 }
 
 /// Smallest thickness of the cortex [mm in the reference state]; where eq. 24 defines it, along the shortest semi-axis.
@@ -147,22 +178,38 @@ double cortex_thickness(const Options& options, const Body& body)
 
 } // namespace
 
-double estimated_memory(double particles, double neighbors)
+void set_layer(Body& body, double t)
+{
+    body.tissue.set_layer(t);
+    if (body.fem)
+    {
+        body.fem->tissue.set_layer(t);
+    }
+}
+
+double estimated_memory(Method method, double particles, double neighbors)
 {
     constexpr double bytes_per_pair = 8.0;
     constexpr double bytes_per_particle = 650.0;
+    constexpr double bytes_per_tet = 400.0;
+    constexpr double tets_per_node = 6.0;
     constexpr double base = 360e6; // the program and its picture library
-    return base + particles * (bytes_per_particle + 2.0 * neighbors * bytes_per_pair);
+    const double links = method == Method::fem ? tets_per_node * bytes_per_tet : 2.0 * neighbors * bytes_per_pair;
+    return base + particles * (bytes_per_particle + links);
 }
 
-Resolution resolve_resolution(const Options& options, double volume_mm3)
+Resolution resolve_resolution(const Options& options, double volume_mm3, double area_mm2)
 {
     const GeometryOptions& geometry = options.geometry;
-    const double count = geometry.spacing_mm ? volume_mm3 / std::pow(*geometry.spacing_mm, 3)
-                                             : static_cast<double>(geometry.particles.value_or(default_particles));
+    const double count =
+        geometry.spacing_mm ? volume_mm3 / std::pow(*geometry.spacing_mm, 3)
+        : options.elements
+            ? static_cast<double>(nodes_for_tets(*options.elements, volume_mm3, area_mm2, edge_per_spacing))
+            : static_cast<double>(geometry.particles.value_or(default_particles));
     const double spacing = std::cbrt(volume_mm3 / count);
     const std::string asked =
         geometry.spacing_mm ? fmt::format("geometry.spacing_mm = {:g}", *geometry.spacing_mm)
+        : options.elements  ? fmt::format("solver.elements = {}", *options.elements)
                             : fmt::format("geometry.particles = {}", geometry.particles.value_or(default_particles));
     if (!(count >= static_cast<double>(fewest_particles) && count <= static_cast<double>(most_particles)))
     {
@@ -171,7 +218,8 @@ Resolution resolve_resolution(const Options& options, double volume_mm3)
             volume_mm3, fewest_particles, most_particles, std::cbrt(volume_mm3 / static_cast<double>(most_particles)),
             std::cbrt(volume_mm3 / static_cast<double>(fewest_particles))));
     }
-    const double memory = estimated_memory(count, 4.0 / 3.0 * std::numbers::pi * std::pow(options.tlsph.support, 3));
+    const double memory =
+        estimated_memory(options.method, count, 4.0 / 3.0 * std::numbers::pi * std::pow(options.tlsph.support, 3));
     const double available = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
     if (memory > available)
     {
@@ -192,25 +240,36 @@ Body arrange_body(const Options& options)
     body.report.inputs = std::move(source.reports);
     body.report.input_vertices = std::ssize(source.surface.vertices);
     set_cloud(options, source, body);
-    set_depth(SurfaceTree(body.surface.vertices, body.surface.triangles), body);
+    const SurfaceTree tree(body.surface.vertices, body.surface.triangles);
+    set_depth(tree, body.cloud.positions, body.tissue);
+    for (const std::int32_t particle : body.cloud.surface_particles)
+    {
+        body.tissue.depth[particle] = 0.0; // exactly
+    }
     apply_thesis_choices(options, body);
-    BodyMaps maps = read_body_maps(options.map, source.map_surface, body.cloud.positions);
-    body.tissue.regional_rate = std::move(maps.growth);
-    body.tissue.growth_onset = std::move(maps.onset);
-    body.tissue.growth_rate = std::move(maps.rate);
-    body.tissue.thickness = std::move(maps.thickness);
+    set_maps(options.map, source.map_surface, body.cloud.positions, body.tissue);
+    if (body.fem)
+    {
+        const std::vector<Vec3> places = centroids(body.cloud.positions, body.fem->elements.tets);
+        set_depth(tree, places, body.fem->tissue);
+        set_maps(options.map, source.map_surface, places, body.fem->tissue);
+    }
     return body;
 }
 
 void connect_body(const Options& options, Body& body)
 {
-    set_layer(options, body);
-    const SurfaceTree tree(body.surface.vertices, body.surface.triangles);
-    const Neighbors pairs =
-        find_neighbors(body.cloud, tree, options.tlsph.support * body.cloud.spacing, &body.report.visibility);
-    body.report.neighbors_mean =
-        static_cast<double>(pairs.index.size()) / static_cast<double>(body.cloud.positions.size());
-    body.particles = make_particles(body.cloud, pairs, options.tlsph);
+    const std::vector<Vec3>& X = body.cloud.positions;
+    start_tissue(options, X, X, body.cloud.volumes, body.tissue);
+    if (body.fem)
+    {
+        const TetElements& elements = body.fem->elements;
+        start_tissue(options, X, centroids(X, elements.tets), elements.volume, body.fem->tissue);
+    }
+    else
+    {
+        connect_particles(options, body);
+    }
     const double thickness = cortex_thickness(options, body);
     if (thickness < 2.0 * body.cloud.spacing)
     {

@@ -19,13 +19,14 @@ std::vector<std::int64_t> widened(std::span<const std::int32_t> values)
     return {values.begin(), values.end()};
 }
 
-std::vector<std::int64_t> flattened(std::span<const Triangle> triangles)
+template <std::size_t size>
+std::vector<std::int64_t> flattened(const std::vector<std::array<std::int32_t, size>>& polygons)
 {
     std::vector<std::int64_t> result;
-    result.reserve(3 * triangles.size());
-    for (const Triangle& triangle : triangles)
+    result.reserve(size * polygons.size());
+    for (const auto& polygon : polygons)
     {
-        result.insert(result.end(), triangle.begin(), triangle.end());
+        result.insert(result.end(), polygon.begin(), polygon.end());
     }
     return result;
 }
@@ -43,14 +44,38 @@ const typename Map::mapped_type& array_of(const Map& map, const std::string& nam
     return found->second;
 }
 
-std::vector<Triangle> triangles_of(std::span<const std::int64_t> corners)
+template <std::size_t size>
+std::vector<std::array<std::int32_t, size>> polygons_of(std::span<const std::int64_t> corners)
 {
-    std::vector<Triangle> triangles(corners.size() / 3);
-    for (std::size_t k = 0; k < 3 * triangles.size(); ++k)
+    std::vector<std::array<std::int32_t, size>> polygons(corners.size() / size);
+    for (std::size_t k = 0; k < size * polygons.size(); ++k)
     {
-        triangles[k / 3][k % 3] = static_cast<std::int32_t>(corners[k]);
+        polygons[k / size][k % size] = static_cast<std::int32_t>(corners[k]);
     }
-    return triangles;
+    return polygons;
+}
+
+/// @param prefix  "body." for the nodes, "body.tet_" for the elements
+void store_tissue(const Tissue& tissue, const std::string& prefix, Checkpoint& image)
+{
+    image.vectors[prefix + "normal"] = tissue.normal;
+    image.scalars[prefix + "depth"] = tissue.depth;
+    image.scalars[prefix + "regional_rate"] = tissue.regional_rate;
+    image.scalars[prefix + "growth_onset"] = tissue.growth_onset;
+    image.scalars[prefix + "growth_rate"] = tissue.growth_rate;
+    image.scalars[prefix + "thickness"] = tissue.thickness;
+}
+
+Tissue stored_tissue(const Checkpoint& image, const std::string& prefix, const std::filesystem::path& file)
+{
+    Tissue tissue;
+    tissue.normal = array_of(image.vectors, prefix + "normal", file);
+    tissue.depth = array_of(image.scalars, prefix + "depth", file);
+    tissue.regional_rate = array_of(image.scalars, prefix + "regional_rate", file);
+    tissue.growth_onset = array_of(image.scalars, prefix + "growth_onset", file);
+    tissue.growth_rate = array_of(image.scalars, prefix + "growth_rate", file);
+    tissue.thickness = array_of(image.scalars, prefix + "thickness", file);
+    return tissue;
 }
 
 } // namespace
@@ -61,20 +86,20 @@ void write_body(const std::filesystem::path& file, const Body& body, const Optio
     image.program_version = CORTICLE_VERSION;
     image.case_text = to_toml(options);
     image.vectors["body.position"] = body.cloud.positions;
-    image.vectors["body.normal"] = body.tissue.normal;
+    store_tissue(body.tissue, "body.", image);
     image.vectors["body.surface_vertex"] = body.surface.vertices;
     image.scalars["body.volume"] = body.cloud.volumes;
-    image.scalars["body.depth"] = body.tissue.depth;
-    image.scalars["body.regional_rate"] = body.tissue.regional_rate;
-    image.scalars["body.growth_onset"] = body.tissue.growth_onset;
-    image.scalars["body.growth_rate"] = body.tissue.growth_rate;
-    image.scalars["body.thickness"] = body.tissue.thickness;
     image.scalars["body.spacing"] = {body.cloud.spacing};
     image.scalars["body.remesh"] = {body.report.remesh.area_change, body.report.remesh.volume_change,
                                     body.report.remesh.largest_distance_mm};
     image.integers["body.input_vertices"] = {body.report.input_vertices};
     image.integers["body.surface_particle"] = widened(body.cloud.surface_particles);
     image.integers["body.surface_triangle"] = flattened(body.cloud.surface_triangles);
+    if (body.fem)
+    {
+        image.integers["body.tet"] = flattened(body.fem->elements.tets);
+        store_tissue(body.fem->tissue, "body.tet_", image);
+    }
     write_checkpoint(file, image);
 }
 
@@ -90,14 +115,9 @@ Body read_body(const std::filesystem::path& file, const Options& options)
     body.cloud.spacing = scalars("spacing").at(0);
     const std::vector<std::int64_t> surface_particles = integers("surface_particle");
     body.cloud.surface_particles.assign(surface_particles.begin(), surface_particles.end());
-    body.cloud.surface_triangles = triangles_of(integers("surface_triangle"));
+    body.cloud.surface_triangles = polygons_of<3>(integers("surface_triangle"));
     body.surface = {vectors("surface_vertex"), body.cloud.surface_triangles};
-    body.tissue.normal = vectors("normal");
-    body.tissue.depth = scalars("depth");
-    body.tissue.regional_rate = scalars("regional_rate");
-    body.tissue.growth_onset = scalars("growth_onset");
-    body.tissue.growth_rate = scalars("growth_rate");
-    body.tissue.thickness = scalars("thickness");
+    body.tissue = stored_tissue(image, "body.", file);
     const std::vector<double> remesh = scalars("remesh");
     body.report.remesh = {remesh.at(0), remesh.at(1), remesh.at(2)};
     body.report.input_vertices = integers("input_vertices").at(0);
@@ -105,8 +125,13 @@ Body read_body(const std::filesystem::path& file, const Options& options)
     if (!differences.empty())
     {
         throw InputError(
-            fmt::format("{}: this body was made from another case: {}; expected the same [geometry] and [map]",
+            fmt::format("{}: this body was made from another case: {}; expected the same [geometry], [map] and method",
                         file.string(), fmt::join(differences, ", ")));
+    }
+    if (options.method == Method::fem)
+    {
+        body.fem = ElementBody{make_elements(body.cloud.positions, polygons_of<4>(integers("tet")), body.cloud.spacing),
+                               stored_tissue(image, "body.tet_", file)};
     }
     body.report.source = "body file";
     body.report.notes = {"read from " + file.string()};

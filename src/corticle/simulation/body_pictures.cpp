@@ -44,23 +44,36 @@ void render_quality(const std::filesystem::path& png, const BodyQuality& quality
               "share of particles",
               {histogram("nearest particle", quality.nearest_distance, 0.0, 1.5)}},
         Panel{"volume over mean", "share of particles", {histogram("volume", quality.volume_over_mean, 0.0, 2.0)}},
-        Panel{"condition of the shape matrix",
+        Panel{"condition of the shape",
               "share of particles",
               {histogram("condition", quality.condition_number, 1.0, std::max(2.0, worst))}},
     };
     render_plot(png, panels, "Quality of the cloud");
 }
 
-} // namespace
+void measure_tets(const TetElements& elements, BodyQuality& quality)
+{
+    for (const Tet& tet : elements.tets)
+    {
+        const double condition = 1.0 / mean_ratio(elements.X, tet);
+        for (const std::int32_t a : tet)
+        {
+            quality.condition_number[a] = std::max(quality.condition_number[a], condition);
+            for (const std::int32_t b : tet)
+            {
+                const double distance = norm(elements.X[b] - elements.X[a]) / elements.spacing;
+                quality.nearest_distance[a] =
+                    a == b ? quality.nearest_distance[a] : std::min(quality.nearest_distance[a], distance);
+            }
+        }
+    }
+}
 
-BodyQuality measure_body_quality(const Body& body)
+void measure_pairs(const Body& body, BodyQuality& quality)
 {
     const Cloud& cloud = body.cloud;
-    const std::size_t count = cloud.positions.size();
-    const double mean = std::accumulate(cloud.volumes.begin(), cloud.volumes.end(), 0.0) / static_cast<double>(count);
-    BodyQuality quality{std::vector<double>(count), std::vector<double>(count), std::vector<double>(count)};
     const PairBlocks& pairs = body.particles.pairs;
-    parallel_for(static_cast<std::int64_t>(count),
+    parallel_for(std::ssize(cloud.positions),
                  [&](std::int64_t i)
                  {
                      double nearest = 1e300;
@@ -70,9 +83,30 @@ BodyQuality measure_body_quality(const Body& body)
                                             squared_norm(cloud.positions[i] - cloud.positions[pairs.neighbor(i, k)]));
                      }
                      quality.nearest_distance[i] = std::sqrt(nearest) / cloud.spacing;
-                     quality.volume_over_mean[i] = cloud.volumes[i] / mean;
                      quality.condition_number[i] = condition_number(body.particles.correction[i]);
                  });
+}
+
+} // namespace
+
+BodyQuality measure_body_quality(const Body& body)
+{
+    const std::vector<double>& volumes = body.cloud.volumes;
+    const std::size_t count = volumes.size();
+    const double mean = std::accumulate(volumes.begin(), volumes.end(), 0.0) / static_cast<double>(count);
+    BodyQuality quality{std::vector<double>(count, 1e300), std::vector<double>(count), std::vector<double>(count)};
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        quality.volume_over_mean[i] = volumes[i] / mean;
+    }
+    if (body.fem)
+    {
+        measure_tets(body.fem->elements, quality);
+    }
+    else
+    {
+        measure_pairs(body, quality);
+    }
     return quality;
 }
 

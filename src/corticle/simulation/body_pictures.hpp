@@ -11,9 +11,10 @@ namespace corticle
 /// How well each particle of a prepared body sits, one number per particle.
 struct BodyQuality
 {
-    std::vector<double> nearest_distance; ///< to the nearest particle it has a pair with [spacings]
+    std::vector<double> nearest_distance; ///< to the nearest particle it has a pair or a tet with [spacings]
     std::vector<double> volume_over_mean; ///< [-]
-    std::vector<double> condition_number; ///< of the shape matrix [-]
+    std::vector<double> condition_number; ///< of the shape matrix [-]; with finite elements of its worst tet: the
+                                          ///< reciprocal of the mean ratio
 };
 
 BodyQuality measure_body_quality(const Body& body);

@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <iterator>
 #include <numbers>
 
@@ -62,6 +63,14 @@ void take_surface(const GeometryOptions& options, BodySource& source)
     source.reports.repair = std::move(repaired.report);
 }
 
+/// Area of an ellipsoid [mm²] within 1 % (Thomsen's formula, p = 1.6075); exact for a sphere.
+double ellipsoid_area(const std::array<double, 3>& axes)
+{
+    constexpr double p = 1.6075;
+    const double sum = std::pow(axes[0] * axes[1], p) + std::pow(axes[0] * axes[2], p) + std::pow(axes[1] * axes[2], p);
+    return 4.0 * std::numbers::pi * std::pow(sum / 3.0, 1.0 / p);
+}
+
 } // namespace
 
 std::array<double, 3> semi_axes(const GeometryOptions& options)
@@ -78,6 +87,7 @@ BodySource read_body_source(const GeometryOptions& options)
         const auto axes = semi_axes(options);
         source.kind = options.shape;
         source.volume = 4.0 / 3.0 * std::numbers::pi * axes[0] * axes[1] * axes[2];
+        source.area = ellipsoid_area(axes);
         return source;
     }
     if (is_nifti(options.file))
@@ -93,6 +103,7 @@ BodySource read_body_source(const GeometryOptions& options)
         take_surface(options, source);
     }
     source.volume = enclosed_volume(source.surface.vertices, source.surface.triangles);
+    source.area = surface_area(source.surface.vertices, source.surface.triangles);
     return source;
 }
 

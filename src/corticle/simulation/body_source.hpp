@@ -20,6 +20,7 @@ struct BodySource
     TriangleMesh map_surface;          ///< as in the file: maps give numbers at its vertices; empty where there is none
     std::optional<TetMesh> tets;       ///< of a tet mesh
     double volume = 0.0;               ///< enclosed [mm³]
+    double area = 0.0;                 ///< of the surface [mm²]
     std::vector<std::string> notes;    ///< what was found and done, one line each
     std::vector<std::string> warnings; ///< one line each
     SourceReports reports;             ///< the same in numbers

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/simulation/discretization.hpp"
 
+#include "corticle/fem/solver.hpp"
 #include "corticle/tlsph/solver.hpp"
 
 namespace corticle
 {
 
-std::unique_ptr<Discretization> make_discretization(const Body& body, const Options& /*options*/)
+std::unique_ptr<Discretization> make_discretization(const Body& body, const Options& options)
 {
+    if (options.method == Method::fem)
+    {
+        return std::make_unique<FemSolver>(body.fem->elements, body.fem->tissue);
+    }
     return std::make_unique<TlsphSolver>(body.particles, body.tissue);
 }
 

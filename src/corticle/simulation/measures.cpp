@@ -41,6 +41,8 @@ constexpr std::array first_columns{
     MeasureColumn{"overlap_area_share", "-", &Measures::overlap_area_share},
     MeasureColumn{"max_penetration_mm", "mm", &Measures::max_penetration_mm},
     MeasureColumn{"barrier_particles", "-", &Measures::barrier_particles},
+    MeasureColumn{"extrapolated_elements", "-", &Measures::extrapolated_elements},
+    MeasureColumn{"inverted_elements", "-", &Measures::inverted_elements},
     MeasureColumn{"contact_pairs", "-", &Measures::contact_pairs},
 };
 
@@ -129,6 +131,8 @@ Measures measure(const Simulation& simulation, std::span<const Mat3> F, const Su
     m.overlap_area_share = overlap.area_share;
     m.max_penetration_mm = overlap.deepest_penetration;
     m.barrier_particles = static_cast<double>(simulation.internal().barrier_count);
+    m.extrapolated_elements = static_cast<double>(simulation.internal().extrapolated_count);
+    m.inverted_elements = static_cast<double>(simulation.internal().inverted_count);
     m.contact_pairs = static_cast<double>(simulation.contact().active);
     return m;
 }

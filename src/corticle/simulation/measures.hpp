@@ -37,6 +37,8 @@ struct Measures : SurfaceMeasures, FoldMeasures
     double overlap_area_share = 0.0;
     double max_penetration_mm = 0.0;
     double barrier_particles = 0.0;
+    double extrapolated_elements = 0.0; ///< see InternalResponse
+    double inverted_elements = 0.0;     ///< the same
     double contact_pairs = 0.0;
 };
 

@@ -29,7 +29,8 @@ Plan plan(const Options& options, int threads)
     result.surface_vertices = std::ssize(body.cloud.surface_particles);
     result.spacing_mm = body.cloud.spacing;
     result.neighbors_mean = body.report.neighbors_mean;
-    result.memory_mb = estimated_memory(static_cast<double>(result.particles), result.neighbors_mean) / 1e6;
+    result.memory_mb =
+        estimated_memory(options.method, static_cast<double>(result.particles), result.neighbors_mean) / 1e6;
     std::string notes;
     for (const std::string& warning : body.report.warnings)
     {
@@ -45,11 +46,13 @@ Plan plan(const Options& options, int threads)
     }
     const double each = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / timed_steps;
     result.seconds = contact_surcharge * each * result.steps;
-    result.text = fmt::format("{}particles   {} ({} on the surface)\nspacing     {:.4g} mm\nneighbours  {:.1f}\nsteps  "
+    const std::string links = body.fem ? fmt::format("elements    {}", body.fem->elements.tets.size())
+                                       : fmt::format("neighbours  {:.1f}", result.neighbors_mean);
+    result.text = fmt::format("{}particles   {} ({} on the surface)\nspacing     {:.4g} mm\n{}\nsteps  "
                               "     about {:.0f}\nmemory      about "
                               "{:.0f} MB\ntime        about {:.0f} s on {} threads\n",
-                              notes, result.particles, result.surface_vertices, result.spacing_mm,
-                              result.neighbors_mean, result.steps, result.memory_mb, result.seconds, thread_count());
+                              notes, result.particles, result.surface_vertices, result.spacing_mm, links, result.steps,
+                              result.memory_mb, result.seconds, thread_count());
     return result;
 }
 

@@ -133,6 +133,7 @@ Json report_json(const Body& body, const BodyQuality& quality, double seconds)
     j["particles"] = body.cloud.positions.size();
     j["surface_particles"] = body.cloud.surface_particles.size();
     j["spacing_mm"] = body.cloud.spacing;
+    j["elements"] = body.fem ? body.fem->elements.tets.size() : 0;
     j["neighbours_mean"] = body.report.neighbors_mean;
     j["dropped_pairs"] = body.report.visibility.dropped_pairs;
     j["area_mm2"] = surface_area(body.surface.vertices, body.surface.triangles);

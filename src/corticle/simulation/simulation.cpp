@@ -91,7 +91,7 @@ bool Simulation::evaluate(Motion& motion, double t)
 {
     if (!body_.tissue.theta_is_fixed)
     {
-        body_.tissue.set_layer(t);
+        set_layer(body_, t);
     }
     const InternalResponse internal = solver_->evaluate(motion.x, t, motion.force);
     if (internal.invalid_at >= 0)

@@ -16,9 +16,16 @@ namespace
 constexpr double most_zero_mode_share = 0.05;
 constexpr double most_kinetic_share = 0.10;
 
-std::string clock_name(const Options& options)
+std::string choice_of(const Options& options, std::string_view key)
 {
-    return std::get<std::string>(find_parameter("time.clock")->get(options));
+    return std::get<std::string>(find_parameter(key)->get(options));
+}
+
+/// Mean cost in wall time of one of so many things in one step; null before the first step.
+nlohmann::ordered_json cost_each(double seconds, double things, const RunInfo& info)
+{
+    const double work = things * static_cast<double>(info.session_steps);
+    return work > 0.0 ? nlohmann::ordered_json(seconds * info.session_wall_s / work) : nlohmann::ordered_json(nullptr);
 }
 
 } // namespace
@@ -35,27 +42,30 @@ std::string summary_json(const Simulation& simulation, const Measures& last, con
     const Body& body = simulation.body();
     const State& state = simulation.state();
     const auto particles = static_cast<double>(body.cloud.positions.size());
-    const double work = particles * static_cast<double>(info.session_steps);
+    const std::size_t elements = body.fem ? body.fem->elements.tets.size() : 0;
     nlohmann::ordered_json j;
     j["status"] = info.status;
     if (!info.reason.empty())
     {
         j["reason"] = info.reason;
     }
-    j["method"] = "tlsph";
+    j["method"] = choice_of(simulation.options(), "solver.method");
     j["particles"] = body.cloud.positions.size();
     j["surface_particles"] = body.cloud.surface_particles.size();
-    j["elements"] = 0;
+    j["elements"] = elements;
     j["threads"] = info.threads;
     j["t"] = state.t;
-    j["clock"] = clock_name(simulation.options());
+    j["clock"] = choice_of(simulation.options(), "time.clock");
     j["week"] = last.week;
     j["length_scale"] = last.length_scale;
     j["steps"] = state.steps;
     j["rejected_steps"] = state.rejected_steps;
     j["wall_s"] = info.wall_s;
-    j["us_per_particle_step"] =
-        work > 0.0 ? nlohmann::ordered_json(1e6 * info.session_wall_s / work) : nlohmann::ordered_json(nullptr);
+    j["us_per_particle_step"] = cost_each(1e6, particles, info);
+    if (body.fem)
+    {
+        j["ns_per_element_step"] = cost_each(1e9, static_cast<double>(elements), info);
+    }
     j["peak_memory_mb"] = peak_memory_mb();
     for (const SizeColumn& column : size_columns())
     {
@@ -83,6 +93,8 @@ std::string summary_json(const Simulation& simulation, const Measures& last, con
     j["zero_mode_share"] = last.energy_elastic > 0.0 ? last.energy_zero_mode / last.energy_elastic : 0.0;
     j["kinetic_share"] = last.energy_elastic > 0.0 ? last.energy_kinetic / last.energy_elastic : 0.0;
     j["barrier_particles"] = last.barrier_particles;
+    j["extrapolated_elements"] = last.extrapolated_elements;
+    j["inverted_elements"] = last.inverted_elements;
     j["max_penetration_mm"] = last.max_penetration_mm;
     j["overlap_area_share"] = last.overlap_area_share;
     j["spacing_mm"] = body.cloud.spacing;

@@ -376,7 +376,7 @@ std::string TlsphSolver::diagnosis(std::int64_t node, std::span<const Vec3> x) c
     const auto i = static_cast<std::size_t>(node);
     const Mat3 F = deformation_gradients(x)[i];
     return fmt::format("particle {}: {}, {} neighbours", i, describe_point(x[i], particles_.X[i], tissue_.depth[i], F),
-                       particles_.pairs.begin[i + 1] - particles_.pairs.begin[i]);
+                       particles_.pairs.size(node));
 }
 
 } // namespace corticle

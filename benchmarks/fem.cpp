@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/simulation/body.hpp"
+#include "corticle/simulation/discretization.hpp"
+#include "corticle/simulation/simulation.hpp"
+
+#include <benchmark/benchmark.h>
+
+namespace corticle
+{
+namespace
+{
+
+Body sphere_of_tets(std::int64_t tets, Options& options)
+{
+    options.method = Method::fem;
+    options.elements = tets;
+    options.tissue.layer = Layer::binary;
+    options.tissue.lambda = 0.75;
+    return prepare_body(options);
+}
+
+void report(benchmark::State& state, const Body& body)
+{
+    const auto each = static_cast<double>(state.iterations());
+    const auto tets = static_cast<double>(body.fem->elements.tets.size());
+    state.counters["ns_per_tet"] =
+        benchmark::Counter(each * tets * 1e-9, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+/// Both passes over the tets of the unfolded sphere, without contact.
+void tet_forces(benchmark::State& state)
+{
+    Options options;
+    const Body body = sphere_of_tets(state.range(0), options);
+    const auto solver = make_discretization(body, options);
+    std::vector<Vec3> forces(body.cloud.positions.size());
+    for (auto _ : state)
+    {
+        benchmark::DoNotOptimize(solver->evaluate(body.cloud.positions, 0.1, forces));
+    }
+    report(state, body);
+}
+BENCHMARK(tet_forces)->Arg(50000)->Arg(223000)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
+
+/// A whole step of the unfolded sphere: forces, contact search, integration.
+void tet_step(benchmark::State& state)
+{
+    Options options;
+    Body body = sphere_of_tets(state.range(0), options);
+    Simulation simulation(body, options);
+    for (auto _ : state)
+    {
+        simulation.step(1.0);
+    }
+    report(state, body);
+}
+BENCHMARK(tet_step)->Arg(50000)->Arg(223000)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
+
+} // namespace
+} // namespace corticle
