@@ -29,18 +29,21 @@ struct PassModel
     }
 };
 
-inline constexpr double pair_bytes = sizeof(std::int32_t) + sizeof(float); ///< index and weight
+inline constexpr double pair_bytes = sizeof(std::uint16_t) + sizeof(float); ///< place and weight
+inline constexpr double table_share = 2.7; ///< entries of the tables of neighbours over particles, at 57 neighbours
 
-/// F, stress, force record. Per pair: X_ij 3, x_ij 3, weighted 3, moment 18, their sum 3, squares 6. Per particle it
-/// reads X, x, L, b, normal, V, theta, regional rate and the range of its pairs, and writes the record and its own
-/// force.
-inline constexpr PassModel deformation_pass{
-    pair_bytes, 5 * sizeof(Vec3) + sizeof(Mat3) + 4 * sizeof(double) + sizeof(ForceRecord), 36.0, 500.0};
+/// F, stress, force record. Per pair: 13 numbers weighted and added. Per entry of a table: x X^T 9, |x|² 5, origins 6.
+/// Per particle it reads X, x, L, b, normal, V, theta, regional rate and the range of its pairs, and writes the record
+/// and its own force.
+inline constexpr PassModel deformation_pass{pair_bytes,
+                                            5 * sizeof(Vec3) + sizeof(Mat3) + 4 * sizeof(double) + sizeof(ForceRecord),
+                                            26.0, 500.0 + 20.0 * table_share};
 
-/// Forces of the neighbours. Per pair: X_ij 3, weighted 3, M_j X_ij 18, w zeta 1, x_ij 3, weighted 6. Per particle it
-/// reads X, the record and the range of its pairs, and reads and writes the force.
-inline constexpr PassModel force_pass{
-    pair_bytes, sizeof(Vec3) + sizeof(ForceRecord) + sizeof(double) + 2 * sizeof(Vec3), 34.0, 12.0};
+/// Forces of the neighbours. Per pair: 13 numbers weighted and added. Per entry of a table: M X + zeta x 24, origins 6.
+/// Per particle it reads X, the record and the range of its pairs, and reads and writes the force.
+inline constexpr PassModel force_pass{pair_bytes,
+                                      sizeof(Vec3) + sizeof(ForceRecord) + sizeof(double) + 2 * sizeof(Vec3), 26.0,
+                                      24.0 + 30.0 * table_share};
 
 inline constexpr PassModel both_passes{deformation_pass.bytes_per_pair + force_pass.bytes_per_pair,
                                        deformation_pass.bytes_per_particle + force_pass.bytes_per_particle,

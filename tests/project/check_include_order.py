@@ -6,7 +6,7 @@ import re
 from _project import finish, parse_arguments
 
 ORDER = (
-    "base geometry imaging cloud tissue tlsph fem contact dynamics metrics io config simulation".split()
+    "base geometry imaging cloud tissue tlsph thesis fem contact dynamics metrics io config simulation".split()
 )
 INCLUDE = re.compile(r'^\s*#\s*include\s*["<]corticle/([^"<>]+)[">]', re.MULTILINE)
 RELATIVE = re.compile(r'^\s*#\s*include\s*"(?!corticle/)([^"]+)"', re.MULTILINE)

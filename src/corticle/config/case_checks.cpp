@@ -150,6 +150,16 @@ void check_tissue(const Options& options, const Place& place)
     }
 }
 
+void check_solver(const Options& options, const Place& place)
+{
+    if (options.dynamics.integrator == Integrator::rk4 && options.contact.enabled)
+    {
+        throw InputError(fmt::format("contact.enabled{} is true, but solver.integrator{} is \"rk4\": expected "
+                                     "\"symplectic_euler\", whose steps keep surfaces from crossing",
+                                     place("contact.enabled"), place("solver.integrator")));
+    }
+}
+
 } // namespace
 
 double shape_volume(const GeometryOptions& geometry)
@@ -171,6 +181,7 @@ void check_case(const Options& options, const Place& place)
     check_maps(options.map, place);
     check_particle_count(options.geometry, place);
     check_tissue(options, place);
+    check_solver(options, place);
 }
 
 std::vector<std::string> case_warnings(const Options& options)
@@ -190,7 +201,7 @@ std::vector<std::string> case_warnings(const Options& options)
         warnings.emplace_back("size.law = \"hyperbolic\" belongs to time.clock = \"cubic\": with \"wang\" its lengths "
                               "are those of other weeks");
     }
-    if (!options.contact.enabled)
+    if (!options.contact.enabled && options.formulation == Formulation::corrected)
     {
         warnings.emplace_back("contact is off: folds will pass through each other");
     }

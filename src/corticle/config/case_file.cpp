@@ -6,6 +6,7 @@
 #include "corticle/base/error.hpp"
 #include "corticle/config/case_checks.hpp"
 #include "corticle/config/case_text.hpp"
+#include "corticle/config/formulation_keys.hpp"
 #include "corticle/config/parameters.hpp"
 #include "corticle/config/thickness_keys.hpp"
 #include "corticle/config/toml_document.hpp"
@@ -55,11 +56,11 @@ InputError unknown_key(const std::string& key, const std::string& where)
 InputError unknown_section(const std::string& section, const std::string& where)
 {
     const std::string nearest = nearest_section(section);
-    return InputError(fmt::format("unknown section [{}] ({}); {}", printable(section), where,
-                                  nearest.empty()
-                                      ? "expected geometry, map, tissue, solver, contact, time, size, output or "
-                                        "expect"
-                                      : "did you mean [" + nearest + "]?"));
+    return InputError(
+        fmt::format("unknown section [{}] ({}); {}", printable(section), where,
+                    nearest.empty() ? "expected geometry, map, tissue, solver, thesis, contact, time, size, output or "
+                                      "expect"
+                                    : "did you mean [" + nearest + "]?"));
 }
 
 bool is_section(std::string_view section)
@@ -222,6 +223,7 @@ Options CaseReader::finish()
         const auto found = places_.find(key);
         return found == places_.end() ? std::string() : " (" + found->second + ")";
     };
+    settle_formulation(options_, place);
     settle_weeks(options_, place);
     settle_thickness(options_.tissue, place);
     check_case(options_, place);

@@ -6,6 +6,7 @@
 #include "corticle/dynamics/options.hpp"
 #include "corticle/geometry/repair.hpp"
 #include "corticle/imaging/options.hpp"
+#include "corticle/thesis/options.hpp"
 #include "corticle/tissue/options.hpp"
 #include "corticle/tissue/size.hpp"
 #include "corticle/tlsph/options.hpp"
@@ -89,9 +90,11 @@ struct Options
     GeometryOptions geometry;
     MapOptions map;
     TissueOptions tissue;
-    TlsphOptions tlsph;       ///< keys under [solver]
-    ContactOptions contact;   ///< keys under [contact]
-    DynamicsOptions dynamics; ///< keys under [solver]
+    Formulation formulation = Formulation::corrected; ///< key solver.formulation
+    TlsphOptions tlsph;                               ///< keys under [solver]
+    ThesisOptions thesis;                             ///< where formulation = "thesis"
+    ContactOptions contact;                           ///< keys under [contact]
+    DynamicsOptions dynamics;                         ///< keys under [solver]
     TimeOptions time;
     SizeOptions size;
     OutputOptions output;

@@ -67,6 +67,31 @@ inline std::vector<std::string> names<SizedState>()
     return {"reference", "body"};
 }
 template <>
+inline std::vector<std::string> names<Formulation>()
+{
+    return {"corrected", "thesis"};
+}
+template <>
+inline std::vector<std::string> names<GrowthEntry>()
+{
+    return {"multiplied", "divided"};
+}
+template <>
+inline std::vector<std::string> names<ForceForm>()
+{
+    return {"difference", "conservative"};
+}
+template <>
+inline std::vector<std::string> names<KernelGradient>()
+{
+    return {"plain", "corrected"};
+}
+template <>
+inline std::vector<std::string> names<Integrator>()
+{
+    return {"symplectic_euler", "rk4"};
+}
+template <>
 inline std::vector<std::string> names<Repair>()
 {
     return {"auto", "wrap", "none"};
@@ -193,6 +218,14 @@ inline Parameter without_thickness_preset(Parameter parameter)
 {
     parameter.get = [get = parameter.get](const Options& options) -> Value
     { return options.tissue.thickness_preset == ThicknessPreset::none ? get(options) : Unsupported{}; };
+    return parameter;
+}
+
+/// A key of the thesis's formulation, which other cases do not have.
+inline Parameter of_thesis(Parameter parameter)
+{
+    parameter.get = [get = parameter.get](const Options& options) -> Value
+    { return options.formulation == Formulation::thesis ? get(options) : Unsupported{}; };
     return parameter;
 }
 

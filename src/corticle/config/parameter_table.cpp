@@ -179,10 +179,21 @@ std::vector<Parameter> solver_parameters()
                   between(static_cast<double>(fewest_elements), static_cast<double>(most_elements)),
                   "About this many tets, with method = \"fem\"; instead of geometry.particles or geometry.spacing_mm.",
                   CORTICLE_MEMBER(elements)),
+        parameter("solver.formulation", "", {},
+                  "Equations of motion: ours, or those the thesis prints, with which the keys that say how the thesis "
+                  "does it take its values where they are not given.",
+                  CORTICLE_MEMBER(formulation)),
         parameter("solver.support", "spacings", between(1.5, 5.0), "Support radius of the kernel.",
                   CORTICLE_MEMBER(tlsph.support)),
+        parameter("solver.kernel_mm", "mm", between(0.0, 1000.0),
+                  "Support radius of the kernel in mm, of pairs whatever lies between them; 0: solver.support.",
+                  CORTICLE_MEMBER(tlsph.kernel_mm)),
         parameter("solver.zeta", "", between(0.0, 10.0), "Strength of the control of zero-energy modes.",
                   CORTICLE_MEMBER(tlsph.zeta)),
+        parameter("solver.integrator", "", {}, "Time integration; rk4 (Runge-Kutta) works without contact only.",
+                  CORTICLE_MEMBER(dynamics.integrator)),
+        parameter("solver.time_step", "t", between(0.0, 0.1), "Fixed time step; 0: as large as the state allows.",
+                  CORTICLE_MEMBER(dynamics.time_step)),
         parameter("solver.cfl", "", above(0.0, 1.0), "Safety factor of the time step.", CORTICLE_MEMBER(dynamics.cfl)),
         parameter("solver.loading_time", "crossings", between(1.0, 100000.0),
                   "Time given to t = 0..1, in crossings of the body by a pressure wave.",
@@ -191,6 +202,25 @@ std::vector<Parameter> solver_parameters()
                   CORTICLE_MEMBER(dynamics.damping)),
         parameter("solver.max_halvings", "", between(0.0, 60.0),
                   "Consecutive halvings of the step before a run gives up.", CORTICLE_MEMBER(dynamics.max_halvings)),
+    };
+}
+
+std::vector<Parameter> thesis_parameters()
+{
+    return {
+        of_thesis(parameter("thesis.growth", "", {},
+                            "Stress of F G, as printed, or of F G^-1 and pulled back (thesis eqs. 22 and 23).",
+                            CORTICLE_MEMBER(thesis.growth))),
+        of_thesis(parameter("thesis.force", "", {},
+                            "Force from differences of stresses, as printed (thesis eq. 9), or from the energy.",
+                            CORTICLE_MEMBER(thesis.force))),
+        of_thesis(parameter("thesis.gradient", "", {},
+                            "Gradient of the kernel as printed (thesis eq. 10), or corrected.",
+                            CORTICLE_MEMBER(thesis.gradient))),
+        of_thesis(parameter("thesis.viscosity_alpha", "", between(0.0, 100.0),
+                            "Linear artificial viscosity (thesis eq. 7).", CORTICLE_MEMBER(thesis.viscosity_alpha))),
+        of_thesis(parameter("thesis.viscosity_beta", "", between(0.0, 100.0),
+                            "Quadratic artificial viscosity (thesis eq. 7).", CORTICLE_MEMBER(thesis.viscosity_beta))),
     };
 }
 
@@ -246,7 +276,8 @@ std::vector<Parameter> other_parameters()
 std::vector<Parameter> all_parameters()
 {
     std::vector<Parameter> all;
-    for (auto part : {geometry_parameters, map_parameters, tissue_parameters, solver_parameters, other_parameters})
+    for (auto part : {geometry_parameters, map_parameters, tissue_parameters, solver_parameters, thesis_parameters,
+                      other_parameters})
     {
         std::ranges::move(part(), std::back_inserter(all));
     }

@@ -6,7 +6,9 @@
 #include "corticle/config/starter.hpp"
 
 #include <fmt/format.h>
+
 #include <fmt/ranges.h>
+#include <utility>
 
 #include <algorithm>
 
@@ -41,9 +43,20 @@ std::string range_column(const Parameter& parameter, std::string_view separator)
                                           : parameter.range.text();
 }
 
+/// The default as TOML; of a key of the thesis's formulation the one it has there. Empty where there is none.
+std::string default_text(const Parameter& parameter)
+{
+    Options options = default_options();
+    if (parameter.section() == "thesis")
+    {
+        options.formulation = Formulation::thesis;
+    }
+    return toml_text(parameter.get(options));
+}
+
 std::string default_column(const Parameter& parameter)
 {
-    const std::string text = toml_text(parameter.get(default_options()));
+    const std::string text = default_text(parameter);
     return text.empty() ? "none" : text;
 }
 
@@ -77,12 +90,14 @@ bool is_of_other_shape(const Parameter& parameter, std::string_view shape)
 std::string to_toml(const Options& options)
 {
     std::string text = "# Corticle case, every key with its value.\n";
-    each_parameter([&](const std::string& section) { text += fmt::format("\n[{}]\n", section); },
+    std::string heading; // of a section that has no key yet
+    each_parameter([&](const std::string& section) { heading = fmt::format("\n[{}]\n", section); },
                    [&](const Parameter& parameter)
                    {
                        const std::string value = toml_text(parameter.get(options));
                        if (!value.empty())
                        {
+                           text += std::exchange(heading, "");
                            text += fmt::format("{} = {}{}\n", parameter.name(), value,
                                                parameter.unit.empty() ? "" : "  # [" + parameter.unit + "]");
                        }
@@ -105,9 +120,11 @@ std::string starter_case(const std::string& shape)
                        text += fmt::format("# {}{}{}\n", parameter.sentence,
                                            parameter.unit.empty() ? "" : " Unit: " + parameter.unit + ".",
                                            range.empty() ? "" : " Range: " + range + ".");
-                       const std::string_view example = parameter.kind == Kind::integer ? "1"
-                                                        : parameter.unit == "weeks"     ? "25.0"
-                                                                                        : "0.5";
+                       const std::string elsewhere = default_text(parameter);
+                       const std::string_view example = !elsewhere.empty()                ? std::string_view(elsewhere)
+                                                        : parameter.kind == Kind::integer ? "1"
+                                                        : parameter.unit == "weeks"       ? "25.0"
+                                                                                          : "0.5";
                        text +=
                            fmt::format("{}{} = {}\n", value.empty() || is_of_other_shape(parameter, shape) ? "# " : "",
                                        parameter.name(), value.empty() ? example : value);

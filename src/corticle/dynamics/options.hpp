@@ -6,8 +6,16 @@
 namespace corticle
 {
 
+enum class Integrator
+{
+    symplectic_euler,
+    rk4
+};
+
 struct DynamicsOptions
 {
+    Integrator integrator = Integrator::symplectic_euler;
+    double time_step = 0.0;        ///< fixed step [t]; 0: as large as the state allows
     double cfl = 0.6;              ///< safety factor of the step
     double loading_time = 50.0;    ///< c_p T / R: time given to t = 0..1, in crossings of the body by a pressure wave
     double damping = 50.0;         ///< gamma T

@@ -116,7 +116,7 @@ void apply_thesis_choices(const Options& options, Body& body)
     if (geometry.volumes == "neighbour_count")
     {
         const double total = std::accumulate(body.cloud.volumes.begin(), body.cloud.volumes.end(), 0.0);
-        body.cloud.volumes = neighbor_count_volumes(X, options.tlsph.support * body.cloud.spacing, total);
+        body.cloud.volumes = neighbor_count_volumes(X, support_mm(options.tlsph, body.cloud.spacing), total);
     }
     if (geometry.normals == "divisions")
     {
@@ -137,8 +137,9 @@ void start_tissue(const Options& options, std::span<const Vec3> nodes, std::span
         tissue.set_layer(options.time.start);
         tissue.theta_is_fixed = options.tissue.thickness_rate_mm == 0.0 && tissue.size.law == LengthLaw::none;
     }
-    else if (options.geometry.shape == "file")
+    else if (options.geometry.shape == "file" || options.geometry.volumes == "neighbour_count")
     {
+        // Volumes by counts say nothing about the layer's.
         tissue.theta =
             ellipsoid_layer_by_centres(places, fitted_semi_axes(nodes), options.tissue.lambda, extents_centre(nodes));
     }
@@ -152,8 +153,10 @@ void start_tissue(const Options& options, std::span<const Vec3> nodes, std::span
 void connect_particles(const Options& options, Body& body)
 {
     const SurfaceTree tree(body.surface.vertices, body.surface.triangles);
-    const Neighbors pairs =
-        find_neighbors(body.cloud, tree, options.tlsph.support * body.cloud.spacing, &body.report.visibility);
+    const double support = support_mm(options.tlsph, body.cloud.spacing);
+    const Neighbors pairs = options.tlsph.kernel_mm > 0.0
+                                ? find_pairs_within(body.cloud.positions, support)
+                                : find_neighbors(body.cloud, tree, support, &body.report.visibility);
     body.report.neighbors_mean =
         static_cast<double>(pairs.index.size()) / static_cast<double>(body.cloud.positions.size());
     body.particles = make_particles(body.cloud, pairs, options.tlsph);
@@ -219,7 +222,8 @@ Resolution resolve_resolution(const Options& options, double volume_mm3, double 
             std::cbrt(volume_mm3 / static_cast<double>(fewest_particles))));
     }
     const double memory =
-        estimated_memory(options.method, count, 4.0 / 3.0 * std::numbers::pi * std::pow(options.tlsph.support, 3));
+        estimated_memory(options.method, count,
+                         4.0 / 3.0 * std::numbers::pi * std::pow(support_mm(options.tlsph, spacing) / spacing, 3));
     const double available = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
     if (memory > available)
     {

@@ -2,6 +2,7 @@
 #include "corticle/simulation/discretization.hpp"
 
 #include "corticle/fem/solver.hpp"
+#include "corticle/thesis/printed_solver.hpp"
 #include "corticle/tlsph/solver.hpp"
 
 namespace corticle
@@ -12,6 +13,10 @@ std::unique_ptr<Discretization> make_discretization(const Body& body, const Opti
     if (options.method == Method::fem)
     {
         return std::make_unique<FemSolver>(body.fem->elements, body.fem->tissue);
+    }
+    if (options.formulation == Formulation::thesis)
+    {
+        return std::make_unique<PrintedSolver>(body.particles, body.tissue, options.thesis);
     }
     return std::make_unique<TlsphSolver>(body.particles, body.tissue);
 }

@@ -18,6 +18,7 @@ namespace
 
 constexpr std::int64_t onset_interval = 10; ///< steps between looks at the sphere index
 constexpr double onset_rise = 0.01;
+constexpr double rounding = 1e-12;     ///< of t: a remainder this small is no step of its own
 constexpr double step_recovery = 1.05; ///< factor by which a halved step grows back, per step
 
 std::vector<double> gather(std::span<const double> values, std::span<const std::int32_t> at)
@@ -100,7 +101,10 @@ bool Simulation::evaluate(Motion& motion, double t)
         return false;
     }
     internal_ = internal;
-    critical_dt_ = critical_step(options_.dynamics.cfl, body_.cloud.spacing, internal.stiffest_rate);
+    viscous_power_ = solver_->add_viscous_forces(motion.x, motion.v, motion.force);
+    critical_dt_ = options_.dynamics.time_step > 0.0
+                       ? options_.dynamics.time_step * total_time_
+                       : critical_step(options_.dynamics.cfl, body_.cloud.spacing, internal.stiffest_rate);
     if (options_.contact.enabled)
     {
         const auto& surface = body_.cloud.surface_particles;
@@ -119,18 +123,32 @@ bool Simulation::evaluate(Motion& motion, double t)
     return true;
 }
 
+/// Where a step from the present state to `t` leads; nothing where it inverts a particle on the way.
+std::optional<StepEnergies> Simulation::propose(double t, double dt)
+{
+    if (options_.dynamics.integrator == Integrator::symplectic_euler)
+    {
+        return advance(state_.motion, mass_, travel_limit_, dt, damping_, proposed_);
+    }
+    const double start = state_.t;
+    return runge_kutta_.advance(
+        state_.motion, mass_, dt, damping_,
+        [&](Motion& stage, double part) { return evaluate(stage, start + part * (t - start)); }, proposed_);
+}
+
 void Simulation::step(double t_stop)
 {
     const double allowed = critical_dt_;
+    const double viscous_power = viscous_power_;
     const double growth_power = internal_.growth_power;
     const double contact_power = contact_response_.dissipated_power;
     for (std::int64_t halvings = 0;; ++halvings)
     {
         const double full = allowed * state_.step_scale / total_time_;
-        const double t = t_stop - state_.t <= full ? t_stop : state_.t + full;
+        const double t = t_stop - state_.t <= full * (1.0 + rounding) ? t_stop : state_.t + full;
         const double dt = (t - state_.t) * total_time_;
-        const StepEnergies energies = advance(state_.motion, mass_, travel_limit_, dt, damping_, proposed_);
-        if (evaluate(proposed_, t))
+        const std::optional<StepEnergies> energies = propose(t, dt);
+        if (energies && evaluate(proposed_, t))
         {
             std::swap(state_.motion, proposed_);
             // Damping -c v1 works with the mean velocity (v1 + v2) / 2: its power is 3/4 P1 + 1/4 P2 to second order.
@@ -140,8 +158,9 @@ void Simulation::step(double t_stop)
             const double step_ratio = critical_dt_ / allowed;
             const double stiffened = contact_response_.energy * (1.0 - step_ratio * step_ratio);
             state_.books.growth_work += 0.5 * (growth_power + internal_.growth_power) * (t - state_.t);
-            state_.books.dissipated += energies.damped + energies.stopped + damped_by_contact - stiffened;
-            state_.kinetic_energy = energies.kinetic;
+            state_.books.dissipated += energies->damped + energies->stopped + damped_by_contact - stiffened +
+                                       0.5 * (viscous_power + viscous_power_) * dt;
+            state_.kinetic_energy = energies->kinetic;
             state_.t = t;
             ++state_.steps;
             state_.step_scale = std::min(1.0, state_.step_scale * step_recovery);

@@ -2,11 +2,13 @@
 #pragma once
 
 #include "corticle/contact/surface_contact.hpp"
+#include "corticle/dynamics/runge_kutta.hpp"
 #include "corticle/simulation/body.hpp"
 #include "corticle/simulation/state.hpp"
 #include "corticle/tissue/discretization.hpp"
 
 #include <memory>
+#include <optional>
 
 namespace corticle
 {
@@ -40,6 +42,7 @@ class Simulation
 
   private:
     bool evaluate(Motion& motion, double t);
+    std::optional<StepEnergies> propose(double t, double dt);
     void note_onset();
     [[noreturn]] void give_up(const Motion& motion, double t, double dt) const;
 
@@ -54,6 +57,8 @@ class Simulation
     Motion proposed_;
     InternalResponse internal_;
     ContactResponse contact_response_;
+    double viscous_power_ = 0.0; ///< of the discretisation's viscosity
+    RungeKutta4 runge_kutta_;
     double critical_dt_ = 0.0;
     std::vector<double> travel_limit_; ///< per particle
     std::vector<Vec3> surface_x_;

@@ -50,6 +50,7 @@ std::string summary_json(const Simulation& simulation, const Measures& last, con
         j["reason"] = info.reason;
     }
     j["method"] = choice_of(simulation.options(), "solver.method");
+    j["formulation"] = choice_of(simulation.options(), "solver.formulation");
     j["particles"] = body.cloud.positions.size();
     j["surface_particles"] = body.cloud.surface_particles.size();
     j["elements"] = elements;

@@ -47,6 +47,14 @@ class Discretization
     /// not set when the state is invalid
     virtual InternalResponse evaluate(std::span<const Vec3> x, double t, std::span<Vec3> forces) = 0;
 
+    /// Adds forces that depend on the velocities v [mm per unit of time], after evaluate at the same positions. Most
+    /// have none. @return the power these forces take from the motion [mu_w mm³ per unit of time]
+    virtual double add_viscous_forces(std::span<const Vec3> /*x*/, std::span<const Vec3> /*v*/,
+                                      std::span<Vec3> /*forces*/)
+    {
+        return 0.0;
+    }
+
     /// F at every node for given positions of the nodes.
     virtual std::vector<Mat3> deformation_gradients(std::span<const Vec3> x) const = 0;
 

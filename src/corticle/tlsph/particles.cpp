@@ -65,7 +65,7 @@ Particles make_particles(const Cloud& cloud, const Neighbors& neighbors, const T
 {
     Particles particles{cloud.positions, cloud.volumes, make_pair_blocks(neighbors), {}, {}, options, cloud.spacing};
     const std::size_t count = particles.X.size();
-    const double support = options.support * cloud.spacing;
+    const double support = support_mm(options, cloud.spacing);
     particles.correction.resize(count);
     particles.weighted_sum.resize(count);
     std::vector<double> condition(count);

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/dynamics/runge_kutta.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace corticle
+{
+namespace
+{
+
+/// x'' = -4 x - 0.6 x' + sin t from x = 1, x' = 0, by `steps` steps to t = 2.
+double oscillator_at_two(int steps)
+{
+    const std::vector<double> mass{0.5};
+    const double damping = 0.6;
+    const double dt = 2.0 / steps;
+    const auto force = [&](Motion& motion, double t) {
+        motion.force[0] = (0.5 * (std::sin(t) - 4.0 * motion.x[0].x)) * Vec3{1, 0, 0};
+    };
+    Motion now{{{1, 0, 0}}, {{}}, {{}}};
+    Motion next = now;
+    RungeKutta4 method;
+    force(now, 0.0);
+    for (int k = 0; k < steps; ++k)
+    {
+        const auto evaluate = [&](Motion& stage, double part)
+        {
+            force(stage, (k + part) * dt);
+            return true;
+        };
+        EXPECT_TRUE(method.advance(now, mass, dt, damping, evaluate, next));
+        force(next, (k + 1) * dt);
+        std::swap(now, next);
+    }
+    return now.x[0].x;
+}
+
+TEST(RungeKutta4, IsOfFourthOrder)
+{
+    const double fine = oscillator_at_two(640);
+    const double coarse_error = oscillator_at_two(20) - fine;
+    const double half_error = oscillator_at_two(40) - fine;
+    EXPECT_NEAR(coarse_error / half_error, 16.0, 1.0);
+    EXPECT_LT(std::abs(half_error), 1e-5);
+}
+
+TEST(RungeKutta4, StopsAtAStageThatIsInvalid)
+{
+    Motion now{{{1, 0, 0}}, {{}}, {{}}};
+    Motion next = now;
+    int calls = 0;
+    const auto evaluate = [&](Motion&, double) { return ++calls < 2; };
+    EXPECT_FALSE(RungeKutta4().advance(now, std::vector<double>{1.0}, 0.1, 0.0, evaluate, next));
+    EXPECT_EQ(calls, 2);
+}
+
+} // namespace
+} // namespace corticle
