@@ -94,7 +94,8 @@ TEST_F(PrintedForces, AgreeWithPlainLoops)
     const Particles& p = body.particles;
     body.particles.options.zeta = 0.0;
     body.tissue.options.barrier_J = 0.0;
-    for (const KernelGradient gradient : {KernelGradient::plain, KernelGradient::corrected})
+    for (const KernelGradient gradient :
+         {KernelGradient::plain, KernelGradient::displacement, KernelGradient::corrected})
     {
         std::vector<Mat3> C(x.size());
         std::vector<Mat3> P(x.size());
@@ -110,8 +111,9 @@ TEST_F(PrintedForces, AgreeWithPlainLoops)
                 F += weight * outer(x[j] - x[i], X_ij);
                 shape += weight * outer(X_ij, X_ij);
             }
-            C[i] = gradient == KernelGradient::plain ? Mat3::identity() : inverse(shape);
-            P[i] = printed_stress(i, F * C[i] * growth(i));
+            C[i] = gradient == KernelGradient::corrected ? inverse(shape) : Mat3::identity();
+            F = gradient == KernelGradient::displacement ? Mat3::identity() + F - shape : F * C[i];
+            P[i] = printed_stress(i, F * growth(i));
         }
         for (const ForceForm form : {ForceForm::difference, ForceForm::conservative})
         {

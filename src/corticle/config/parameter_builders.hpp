@@ -84,7 +84,7 @@ inline std::vector<std::string> names<ForceForm>()
 template <>
 inline std::vector<std::string> names<KernelGradient>()
 {
-    return {"plain", "corrected"};
+    return {"plain", "displacement", "corrected"};
 }
 template <>
 inline std::vector<std::string> names<Integrator>()

@@ -28,8 +28,9 @@ enum class ForceForm
 /// Gradient that F and the force are made with.
 enum class KernelGradient
 {
-    plain,    ///< of the kernel (thesis eq. 10)
-    corrected ///< times L_i, exact for affine motion
+    plain,        ///< of the kernel, on positions (thesis eq. 10)
+    displacement, ///< of the kernel, on displacements: F = I + sum_j V_j u_ij grad W, which is I at rest
+    corrected     ///< times L_i, exact for affine motion
 };
 
 /// The thesis's equations, and what puts them right one by one (keys under [thesis]).

@@ -39,6 +39,15 @@ CORTICLE_INLINE Mat3 gradient_matrix(const Particles& particles, KernelGradient 
                                                  : (1.0 / particles.volume[i]) * Mat3::identity();
 }
 
+/// F_i from sum_j w_ij x_ij X_ij^T.
+CORTICLE_INLINE Mat3 deformation_gradient(const Particles& particles, KernelGradient gradient, std::int64_t i,
+                                          const Mat3& moment, const Mat3& C)
+{
+    return gradient == KernelGradient::displacement
+               ? Mat3::identity() + (moment - inverse(particles.correction[i])) * C
+               : moment * C;
+}
+
 /// sum_j w_ij x_ij X_ij^T from the sums of positions.
 CORTICLE_INLINE Mat3 moment_of(const NeighborSum& sum, const Vec3& x_i, const Vec3& X_i, const Vec3& weighted_sum)
 {
@@ -70,7 +79,7 @@ CORTICLE_INLINE void respond(const PassInput& in, std::int64_t i, const Neighbor
     const double volume = particles.volume[i];
     const Mat3 moment = moment_of(sum, x_i, X_i, b_i);
     const Mat3 C = gradient_matrix(particles, in.options.gradient, i);
-    const Mat3 F = moment * C;
+    const Mat3 F = deformation_gradient(particles, in.options.gradient, i, moment, C);
     const Mat3 cofactor_F = cofactor(F);
     const double J = dot(F.column[0], cofactor_F.column[0]);
     if (J < total.smallest_J)
@@ -296,9 +305,11 @@ std::vector<Mat3> PrintedSolver::deformation_gradients(std::span<const Vec3> x) 
                             sum_block(groups_, first / NeighborGroups::size, records.data(), group);
                             for (std::int64_t i = first; i < std::min(first + NeighborGroups::size, end); ++i)
                             {
-                                F[i] = moment_of(group.at(i - first), x[i] - origin_, particles_.X[i] - origin_,
-                                                 particles_.weighted_sum[i]) *
-                                       gradient_matrix(particles_, options_.gradient, i);
+                                const Mat3 moment =
+                                    moment_of(group.at(i - first), x[i] - origin_, particles_.X[i] - origin_,
+                                              particles_.weighted_sum[i]);
+                                F[i] = deformation_gradient(particles_, options_.gradient, i, moment,
+                                                            gradient_matrix(particles_, options_.gradient, i));
                             }
                         }
                     });
