@@ -4,6 +4,7 @@
 #include "corticle/simulation/comparison.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -71,6 +72,9 @@ struct MeasureArguments
     std::filesystem::path file;
     RealSurfaceOptions options;
     std::string outer = "hull"; ///< what depth and local index are measured against: "hull" | "closed"
+    std::string surface = "triangles"; ///< or "delaunay": made from points
+    std::optional<double> length_limit_mm;
+    std::filesystem::path out;
     bool json = false;
 };
 int measure_command(const MeasureArguments& arguments);

@@ -149,6 +149,18 @@ void add_measure(CLI::App& app, Verb& chosen)
         ->capture_default_str()
         ->type_name("SURFACE")
         ->check(CLI::IsMember({"hull", "closed"}));
+    verb->add_option(
+            "--surface", arguments->surface,
+            "triangles: as the file has it; delaunay: made from its points alone (particles_*.vtu, a .csv with "
+            "x, y, z, or vertices), beside the surface of the run where the file belongs to one")
+        ->capture_default_str()
+        ->type_name("HOW")
+        ->check(CLI::IsMember({"triangles", "delaunay"}));
+    verb->add_option("--length-limit", arguments->length_limit_mm,
+                     "Largest radius of the ball about a tet (default: 5/3 of the mean distance of points)")
+        ->type_name("MM")
+        ->check(CLI::PositiveNumber);
+    verb->add_option("--out", arguments->out, "Write the surface made from points")->type_name("FILE.vtp");
     verb->add_flag("--json", arguments->json, "As JSON");
     verb->callback([arguments, &chosen] { chosen = [arguments] { return measure_command(*arguments); }; });
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands.hpp"
 
+#include "corticle/base/error.hpp"
 #include "corticle/metrics/surface_rows.hpp"
+#include "corticle/simulation/point_surface.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -30,14 +32,28 @@ void print_text(std::span<const SurfaceRow> rows)
     }
 }
 
+std::vector<SurfaceRow> measured(const MeasureArguments& arguments)
+{
+    if (arguments.surface == "delaunay")
+    {
+        return measure_point_surface({arguments.file, arguments.length_limit_mm, arguments.out});
+    }
+    if (arguments.length_limit_mm || !arguments.out.empty())
+    {
+        throw InputError(
+            fmt::format("{} is given without --surface delaunay", arguments.out.empty() ? "--length-limit" : "--out"));
+    }
+    const TriangleMesh surface = read_real_surface(arguments.file, arguments.options);
+    FoldOptions folds;
+    folds.outer = arguments.outer == "closed" ? OuterSurface::closed : OuterSurface::hull;
+    return surface_rows(surface.vertices, surface.triangles, folds);
+}
+
 } // namespace
 
 int measure_command(const MeasureArguments& arguments)
 {
-    const TriangleMesh surface = read_real_surface(arguments.file, arguments.options);
-    FoldOptions folds;
-    folds.outer = arguments.outer == "closed" ? OuterSurface::closed : OuterSurface::hull;
-    const std::vector<SurfaceRow> rows = surface_rows(surface.vertices, surface.triangles, folds);
+    const std::vector<SurfaceRow> rows = measured(arguments);
     arguments.json ? print_json(rows) : print_text(rows);
     return exit_status::done;
 }

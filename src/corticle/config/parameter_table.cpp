@@ -214,9 +214,10 @@ std::vector<Parameter> thesis_parameters()
         of_thesis(parameter("thesis.force", "", {},
                             "Force from differences of stresses, as printed (thesis eq. 9), or from the energy.",
                             CORTICLE_MEMBER(thesis.force))),
-        of_thesis(parameter("thesis.gradient", "", {},
-                            "Gradient of the kernel: on positions, as printed (thesis eq. 10), on displacements, or corrected.",
-                            CORTICLE_MEMBER(thesis.gradient))),
+        of_thesis(parameter(
+            "thesis.gradient", "", {},
+            "Gradient of the kernel: on positions, as printed (thesis eq. 10), on displacements, or corrected.",
+            CORTICLE_MEMBER(thesis.gradient))),
         of_thesis(parameter("thesis.viscosity_alpha", "", between(0.0, 100.0),
                             "Linear artificial viscosity (thesis eq. 7).", CORTICLE_MEMBER(thesis.viscosity_alpha))),
         of_thesis(parameter("thesis.viscosity_beta", "", between(0.0, 100.0),

@@ -43,9 +43,8 @@ CORTICLE_INLINE Mat3 gradient_matrix(const Particles& particles, KernelGradient 
 CORTICLE_INLINE Mat3 deformation_gradient(const Particles& particles, KernelGradient gradient, std::int64_t i,
                                           const Mat3& moment, const Mat3& C)
 {
-    return gradient == KernelGradient::displacement
-               ? Mat3::identity() + (moment - inverse(particles.correction[i])) * C
-               : moment * C;
+    return gradient == KernelGradient::displacement ? Mat3::identity() + (moment - inverse(particles.correction[i])) * C
+                                                    : moment * C;
 }
 
 /// sum_j w_ij x_ij X_ij^T from the sums of positions.
@@ -305,9 +304,8 @@ std::vector<Mat3> PrintedSolver::deformation_gradients(std::span<const Vec3> x) 
                             sum_block(groups_, first / NeighborGroups::size, records.data(), group);
                             for (std::int64_t i = first; i < std::min(first + NeighborGroups::size, end); ++i)
                             {
-                                const Mat3 moment =
-                                    moment_of(group.at(i - first), x[i] - origin_, particles_.X[i] - origin_,
-                                              particles_.weighted_sum[i]);
+                                const Mat3 moment = moment_of(group.at(i - first), x[i] - origin_,
+                                                              particles_.X[i] - origin_, particles_.weighted_sum[i]);
                                 F[i] = deformation_gradient(particles_, options_.gradient, i, moment,
                                                             gradient_matrix(particles_, options_.gradient, i));
                             }
