@@ -71,7 +71,7 @@ struct MeasureArguments
 {
     std::filesystem::path file;
     RealSurfaceOptions options;
-    std::string outer = "hull"; ///< what depth and local index are measured against: "hull" | "closed"
+    std::string outer = "hull";        ///< what depth and local index are measured against: "hull" | "closed"
     std::string surface = "triangles"; ///< or "delaunay": made from points
     std::optional<double> length_limit_mm;
     std::filesystem::path out;

@@ -314,4 +314,9 @@ std::vector<Mat3> PrintedSolver::deformation_gradients(std::span<const Vec3> x) 
     return F;
 }
 
+std::string PrintedSolver::diagnosis(std::int64_t node, std::span<const Vec3> x) const
+{
+    return describe_particle(particles_, tissue_, node, x[node], deformation_gradients(x)[node]);
+}
+
 } // namespace corticle

@@ -29,6 +29,8 @@ class PrintedSolver final : public Discretization
     /// F as the formulation has it: as printed without growth (eq. 10), and not I in the body at rest.
     std::vector<Mat3> deformation_gradients(std::span<const Vec3> x) const override;
 
+    std::string diagnosis(std::int64_t node, std::span<const Vec3> x) const override;
+
   private:
     void fill_positions(std::span<const Vec3> x, std::vector<SumRecord>& records) const;
     void add_corrected_differences(std::span<Vec3> forces);

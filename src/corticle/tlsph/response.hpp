@@ -2,8 +2,11 @@
 #pragma once
 
 #include "corticle/tissue/discretization.hpp"
+#include "corticle/tissue/tissue.hpp"
+#include "corticle/tlsph/particles.hpp"
 
 #include <algorithm>
+#include <string>
 
 namespace corticle
 {
@@ -35,5 +38,10 @@ inline void join(InternalResponse& total, const InternalResponse& part)
     }
     total.invalid_at = total.invalid_at < 0 ? part.invalid_at : total.invalid_at;
 }
+
+/// "particle 12: position ..., J = ..., 57 neighbours"
+/// @param x  its position [mm]   @param F  its deformation gradient
+std::string describe_particle(const Particles& particles, const Tissue& tissue, std::int64_t i, const Vec3& x,
+                              const Mat3& F);
 
 } // namespace corticle

@@ -6,8 +6,6 @@
 #include "corticle/tissue/neo_hookean.hpp"
 #include "corticle/tlsph/response.hpp"
 
-#include <fmt/format.h>
-
 #include <limits>
 
 namespace corticle
@@ -347,10 +345,7 @@ std::vector<Mat3> TlsphSolver::deformation_gradients(std::span<const Vec3> x) co
 
 std::string TlsphSolver::diagnosis(std::int64_t node, std::span<const Vec3> x) const
 {
-    const auto i = static_cast<std::size_t>(node);
-    const Mat3 F = deformation_gradients(x)[i];
-    return fmt::format("particle {}: {}, {} neighbours", i, describe_point(x[i], particles_.X[i], tissue_.depth[i], F),
-                       particles_.pairs.size(node));
+    return describe_particle(particles_, tissue_, node, x[node], deformation_gradients(x)[node]);
 }
 
 } // namespace corticle
