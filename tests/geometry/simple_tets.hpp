@@ -9,30 +9,29 @@
 namespace corticle::test
 {
 
-/// A box between two corners [mm], cut into n x n x n bricks of six tets each (Freudenthal).
-inline TetMesh tet_box(int n, const Vec3& low, const Vec3& high)
+/// The unit cube in bricks of six tets each (Freudenthal), so many along each axis.
+inline TetMesh tet_grid(int along_x, int along_y, int along_z)
 {
     TetMesh mesh;
-    const auto node = [n](int x, int y, int z) { return (x * (n + 1) + y) * (n + 1) + z; };
-    for (int x = 0; x <= n; ++x)
+    const auto node = [=](int x, int y, int z) { return (x * (along_y + 1) + y) * (along_z + 1) + z; };
+    for (int x = 0; x <= along_x; ++x)
     {
-        for (int y = 0; y <= n; ++y)
+        for (int y = 0; y <= along_y; ++y)
         {
-            for (int z = 0; z <= n; ++z)
+            for (int z = 0; z <= along_z; ++z)
             {
-                const Vec3 part{static_cast<double>(x) / n, static_cast<double>(y) / n, static_cast<double>(z) / n};
-                const Vec3 size = high - low;
-                mesh.vertices.push_back(low + Vec3{part.x * size.x, part.y * size.y, part.z * size.z});
+                mesh.vertices.push_back({static_cast<double>(x) / along_x, static_cast<double>(y) / along_y,
+                                         static_cast<double>(z) / along_z});
             }
         }
     }
     // From the low to the high corner of a brick, along the three axes in each of the six orders.
     constexpr int orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
-    for (int brick = 0; brick < n * n * n; ++brick)
+    for (int brick = 0; brick < along_x * along_y * along_z; ++brick)
     {
         for (int k = 0; k < 6; ++k)
         {
-            int at[3] = {brick / (n * n), brick / n % n, brick % n};
+            int at[3] = {brick / (along_y * along_z), brick / along_z % along_y, brick % along_z};
             Tet tet{node(at[0], at[1], at[2]), 0, 0, 0};
             for (int step = 0; step < 3; ++step)
             {
@@ -45,6 +44,18 @@ inline TetMesh tet_box(int n, const Vec3& low, const Vec3& high)
             }
             mesh.tets.push_back(tet);
         }
+    }
+    return mesh;
+}
+
+/// A box between two corners [mm], cut into n x n x n bricks of six tets each.
+inline TetMesh tet_box(int n, const Vec3& low, const Vec3& high)
+{
+    TetMesh mesh = tet_grid(n, n, n);
+    const Vec3 size = high - low;
+    for (Vec3& p : mesh.vertices)
+    {
+        p = low + Vec3{p.x * size.x, p.y * size.y, p.z * size.z};
     }
     return mesh;
 }
