@@ -11,11 +11,11 @@ COMMAND := build/release/bin/corticle
 MAKEFLAGS += --no-print-directory
 
 .NOTPARALLEL:
-.PHONY: fold test build dev asan tsan validate bench format format-check lint setup setup-dev clean help
+.PHONY: fold test build dev asan tsan validate validate-thesis bench format format-check lint setup setup-dev clean help
 .DEFAULT_GOAL := help
 
 help: ## list the goals
-	@sed -nE 's/^([a-z-]+):.*## (.*)/  \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 16
+	@sed -nE 's/^([a-z-]+):.*## (.*)/  \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 18
 
 fold: build ## set up, build, fold the sphere (or CASE=…, OUT=…); says where the pictures are
 	@$(PYTHON) scripts/fold.py --command $(COMMAND) --case $(CASE) --out $(OUT)
@@ -40,6 +40,9 @@ tsan: setup-dev build/tsan/.configured ## build and test with clang's thread san
 
 validate: build ## compare with theory and published numbers (validation/*/run.py or run.sh)
 	@$(PYTHON) scripts/validate.py --command $(COMMAND)
+
+validate-thesis: build ## make the sweeps of cases/thesis; tables and pictures go to validation/thesis
+	@$(PYTHON) scripts/validate_thesis.py --command $(COMMAND)
 
 bench: build ## run the benchmarks: a table (docs/performance.md), JSON in build/release/benchmarks
 	cmake --build --preset release --parallel $(JOBS) --target bench

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "corticle/simulation/comparison.hpp"
+#include "corticle/simulation/sweep.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -33,6 +34,9 @@ struct RunArguments
     bool quiet = false;
 };
 int run_command(const RunArguments& arguments);
+
+/// Without a folder: runs/<stem of the sweep>.
+int sweep_command(SweepRequest request);
 
 struct PrepareArguments
 {

@@ -68,6 +68,30 @@ void add_run(CLI::App& app, Verb& chosen)
     verb->callback([arguments, &chosen] { chosen = [arguments] { return run_command(*arguments); }; });
 }
 
+void add_sweep(CLI::App& app, Verb& chosen)
+{
+    auto request = std::make_shared<SweepRequest>();
+    CLI::App* verb = app.add_subcommand("sweep", "Run a case for many values of its keys; goes on where it stopped");
+    verb->add_option("sweep", request->file, "Sweep to run")->type_name("SWEEP.toml")->required();
+    verb->add_option("--out", request->out, "Folder of the sweep (default: runs/<name of the sweep>)")
+        ->type_name("DIR");
+    add_overrides(*verb, request->overrides);
+    verb->add_option("--only", request->only, "Make only these runs; may be repeated")
+        ->type_name("NUMBER|NAME|SECTION.KEY=VALUE")
+        ->type_size(1)
+        ->allow_extra_args(false);
+    verb->add_option("--jobs", request->jobs, "Runs side by side (default: as many as there are cores)")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1024));
+    verb->add_option("--threads-per-run", request->threads_per_run, "Threads of each run (default: to fill the cores)")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1024));
+    verb->add_flag("--retry", request->retry, "Go on with runs that failed");
+    verb->add_flag("--list", request->list, "Print the runs and how they stand; write nothing");
+    verb->add_flag("--quiet", request->quiet, "Print nothing but errors");
+    verb->callback([request, &chosen] { chosen = [request] { return sweep_command(*request); }; });
+}
+
 void add_prepare(CLI::App& app, Verb& chosen)
 {
     auto arguments = std::make_shared<PrepareArguments>();
@@ -221,8 +245,8 @@ int dispatch(int argc, char** argv)
     app.require_subcommand(1);
     app.footer("Exit status: 0 done, 2 bad usage or input, 3 the run failed, 130 interrupted.");
     Verb chosen;
-    for (auto add :
-         {add_run, add_prepare, add_new, add_check, add_schema, add_measure, add_compare, add_render, add_export})
+    for (auto add : {add_run, add_sweep, add_prepare, add_new, add_check, add_schema, add_measure, add_compare,
+                     add_render, add_export})
     {
         add(app, chosen);
     }
@@ -239,9 +263,10 @@ int dispatch(int argc, char** argv)
         const auto named = [&](const CLI::App* verb) { return verb->get_name() == argv[1]; };
         if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(named).empty())
         {
-            return complain("unknown verb \"" + std::string(argv[1]) +
-                                "\", expected run, prepare, new, check, schema, measure, compare, render or export",
-                            exit_status::bad_input);
+            return complain(
+                "unknown verb \"" + std::string(argv[1]) +
+                    "\", expected run, sweep, prepare, new, check, schema, measure, compare, render or export",
+                exit_status::bad_input);
         }
         return complain(std::string(error.what()) + " (`corticle --help` shows the usage)", exit_status::bad_input);
     }

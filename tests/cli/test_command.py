@@ -11,7 +11,7 @@ FILE_CASE = '[geometry]\nshape = "file"\nfile = "{}"\nparticles = 1000\n'
 
 
 def usage(bench):
-    for verb in ("run", "prepare", "new", "check", "schema", "measure", "compare", "render", "export"):
+    for verb in ("run", "sweep", "prepare", "new", "check", "schema", "measure", "compare", "render", "export"):
         bench.check("Usage" in bench.accepted(verb, "--help"), f"{verb} --help shows no usage")
         bench.check(verb in bench.accepted("--help"), f"--help does not list {verb}")
     bench.check(bench.accepted("--version").startswith("corticle "), "--version")

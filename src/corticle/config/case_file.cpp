@@ -45,14 +45,6 @@ class CaseReader
     std::set<std::string, std::less<>> overridden_;
 };
 
-InputError unknown_key(const std::string& key, const std::string& where)
-{
-    const std::string nearest = nearest_key(key);
-    return InputError(
-        fmt::format("unknown key {} ({}); {}", printable(key), where,
-                    nearest.empty() ? "`corticle schema` lists the valid keys" : "did you mean " + nearest + "?"));
-}
-
 InputError unknown_section(const std::string& section, const std::string& where)
 {
     const std::string nearest = nearest_section(section);
@@ -92,7 +84,7 @@ void CaseReader::assign_at(const std::string& key, const Value& value, const std
     const Parameter* parameter = find_parameter(key);
     if (parameter == nullptr)
     {
-        throw unknown_key(key, where);
+        throw unknown_key_error(key, where);
     }
     assign(options_, *parameter, value, where);
     places_[key] = where;
@@ -144,7 +136,7 @@ void CaseReader::override_one(const std::string& text)
     const Parameter* parameter = find_parameter(key);
     if (parameter == nullptr)
     {
-        throw unknown_key(key, where);
+        throw unknown_key_error(key, where);
     }
     assign_at(key, override_value(*parameter, trimmed(std::string_view(text).substr(equals + 1))), where, "");
     overridden_.insert(key);

@@ -12,11 +12,11 @@
 namespace corticle
 {
 
-std::string read_case_text(const std::filesystem::path& file)
+std::string read_case_text(const std::filesystem::path& file, std::string_view what)
 {
     constexpr std::uintmax_t longest = 1 << 20;
     const auto refuse = [&](std::string_view reason)
-    { return InputError(fmt::format("cannot read case {}: {}", printable(file.string()), reason)); };
+    { return InputError(fmt::format("cannot read {} {}: {}", what, printable(file.string()), reason)); };
     std::error_code error;
     const auto status = std::filesystem::status(file, error);
     if (!std::filesystem::exists(status))

@@ -184,6 +184,14 @@ std::string nearest_key(std::string_view key)
     return nearest;
 }
 
+InputError unknown_key_error(std::string_view key, const std::string& where)
+{
+    const std::string nearest = nearest_key(key);
+    return InputError(
+        fmt::format("unknown key {} ({}); {}", printable(key), where,
+                    nearest.empty() ? "`corticle schema` lists the valid keys" : "did you mean " + nearest + "?"));
+}
+
 std::string nearest_section(std::string_view section)
 {
     if (section.size() > longest_name)

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "corticle/base/error.hpp"
 #include "corticle/config/options.hpp"
 #include "corticle/config/value.hpp"
 
@@ -72,7 +73,9 @@ const Parameter* find_parameter(std::string_view key);
 
 /// The valid key that `key` was probably meant to be; empty when none is near.
 std::string nearest_key(std::string_view key);
-/// The same for sections.
+/// What to throw where there is no such key; `where` ("case.toml:4", "--set a.b=c") is used in the message.
+InputError unknown_key_error(std::string_view key, const std::string& where);
+/// The valid section that `section` was probably meant to be; empty when none is near.
 std::string nearest_section(std::string_view section);
 
 /// Options of an empty case.

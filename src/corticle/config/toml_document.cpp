@@ -99,53 +99,74 @@ Value value_of(const toml::node& node)
     return Unsupported{node.is_table() ? "a table" : "a date or time"};
 }
 
-std::vector<TomlEntry> flatten(const toml::table& document)
+TomlNode tree_of(const toml::node& node)
 {
-    std::vector<TomlEntry> entries;
-    for (auto&& [name, node] : document)
+    TomlNode result{"", node.source().begin.line, TomlNode::Kind::value, value_of(node), {}};
+    if (const auto* table = node.as_table())
     {
-        const std::string section{name.str()};
-        const auto* table = node.as_table();
-        if (table == nullptr)
+        result.kind = TomlNode::Kind::table;
+        for (auto&& [key, child] : *table)
         {
-            entries.push_back({section, "", false, name.source().begin.line, value_of(node)});
-            continue;
+            result.children.push_back(tree_of(child));
+            result.children.back().key = key.str();
+            result.children.back().line = key.source().begin.line;
         }
-        entries.push_back({section, section, true, name.source().begin.line, Unsupported{"a table"}});
-        for (auto&& [key, value] : *table)
+        std::ranges::stable_sort(result.children, {}, &TomlNode::line);
+    }
+    if (const auto* list = node.as_array())
+    {
+        result.kind = TomlNode::Kind::list;
+        for (const toml::node& child : *list)
         {
-            entries.push_back(
-                {section + "." + std::string(key.str()), section, false, key.source().begin.line, value_of(value)});
+            result.children.push_back(tree_of(child));
         }
     }
-    std::stable_sort(entries.begin(), entries.end(),
-                     [](const TomlEntry& a, const TomlEntry& b) { return a.line < b.line; });
-    return entries;
+    return result;
 }
 
 } // namespace
 
-std::vector<TomlEntry> parse_toml(std::string_view text, const std::string& name)
+TomlNode parse_toml_tree(std::string_view text, const std::string& name, std::string_view what)
 {
     if (text.size() > longest_text)
     {
-        throw InputError(fmt::format("{} is no case: got {} bytes, expected at most {}", printable(name), text.size(),
-                                     longest_text));
+        throw InputError(fmt::format("{} is no {}: got {} bytes, expected at most {}", printable(name), what,
+                                     text.size(), longest_text));
     }
     if (count_key_dots(text) > most_key_dots)
     {
-        throw InputError(
-            fmt::format("{} is no case: its keys nest too deep (more than {} dots)", printable(name), most_key_dots));
+        throw InputError(fmt::format("{} is no {}: its keys nest too deep (more than {} dots)", printable(name), what,
+                                     most_key_dots));
     }
     try
     {
-        return flatten(toml::parse(text));
+        return tree_of(toml::parse(text));
     }
     catch (const toml::parse_error& error)
     {
         throw InputError(fmt::format("{}:{}: not TOML: {}", printable(name), error.source().begin.line,
                                      printable(error.description(), 200)));
     }
+}
+
+std::vector<TomlEntry> parse_toml(std::string_view text, const std::string& name)
+{
+    std::vector<TomlEntry> entries;
+    for (TomlNode& node : parse_toml_tree(text, name, "case").children)
+    {
+        if (node.kind != TomlNode::Kind::table)
+        {
+            entries.push_back({node.key, "", false, node.line, std::move(node.value)});
+            continue;
+        }
+        entries.push_back({node.key, node.key, true, node.line, Unsupported{"a table"}});
+        for (TomlNode& child : node.children)
+        {
+            entries.push_back({node.key + "." + child.key, node.key, false, child.line, std::move(child.value)});
+        }
+    }
+    std::ranges::stable_sort(entries, {}, &TomlEntry::line);
+    return entries;
 }
 
 std::optional<Value> parse_toml_value(std::string_view text)

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -48,6 +49,21 @@ struct SurfaceInput
 void render_surface_pair(const std::filesystem::path& png, const std::array<SurfaceInput, 2>& surfaces,
                          const ColorScale& scale, const std::string& title);
 
+/// One of many surfaces; no points: nothing but its caption is drawn.
+struct SurfaceTile
+{
+    std::string caption;
+    std::vector<Vec3> points; ///< [mm]
+    std::vector<Triangle> triangles;
+    std::vector<double> scalar; ///< of each vertex
+};
+
+/// Many surfaces from above, in rows of `columns` from the top left, with one colour scale. Tiles are asked for one
+/// after the other. Each surface fills its tile; what has left the body far behind is cut off.
+void render_surface_grid(const std::filesystem::path& png, std::size_t count, std::size_t columns,
+                         const std::function<SurfaceTile(std::size_t)>& tile, const ColorScale& scale,
+                         const std::string& title);
+
 /// Particles, surface and plane of a cross-section, in the current configuration.
 struct CutInput
 {
@@ -80,12 +96,14 @@ struct Curve
     std::vector<double> x;
     std::vector<double> y;
     bool is_points = false; ///< marks the points and draws no line
+    bool is_marked = false; ///< marks the points of the line
 };
 struct Panel
 {
     std::string x_label;
     std::string y_label;
     std::vector<Curve> curves;
+    std::vector<std::pair<double, std::string>> x_ticks{}; ///< x and what stands there; empty: numbers
 };
 
 /// Line plots, panels in a grid (three to a row).

@@ -12,8 +12,10 @@
 #include <vtkNew.h>
 #include <vtkPen.h>
 #include <vtkPlot.h>
+#include <vtkPlotPoints.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkTextProperty.h>
 
@@ -96,20 +98,43 @@ void style_axis(vtkAxis* axis, const std::string& label, const Range& range)
     axis->GetPen()->SetWidth(1.5f);
 }
 
+void set_ticks(vtkAxis* axis, std::span<const std::pair<double, std::string>> ticks)
+{
+    vtkNew<vtkDoubleArray> places;
+    vtkNew<vtkStringArray> labels;
+    for (const auto& [place, label] : ticks)
+    {
+        places->InsertNextValue(place);
+        labels->InsertNextValue(label);
+    }
+    axis->SetCustomTickPositions(places, labels);
+}
+
 /// The corner of the panel where the fewest points lie, for the legend: (horizontal, vertical) alignment.
 std::array<int, 2> free_corner(const Panel& panel, const Range& x_range, const Range& y_range)
 {
     constexpr double corner_size = 0.35;
+    constexpr int pieces = 16;                  // of a line from point to point
     std::array<std::array<int, 2>, 2> points{}; // [right][top]
+    const auto count = [&](double x_here, double y_here)
+    {
+        const double x = (x_here - x_range.low) / (x_range.high - x_range.low);
+        const double y = (y_here - y_range.low) / (y_range.high - y_range.low);
+        if (std::min(x, 1.0 - x) < corner_size && std::min(y, 1.0 - y) < corner_size)
+        {
+            ++points[x > 0.5 ? 1 : 0][y > 0.5 ? 1 : 0];
+        }
+    };
     for (const Curve& curve : panel.curves)
     {
         for (std::size_t i = 0; i < std::min(curve.x.size(), curve.y.size()); ++i)
         {
-            const double x = (curve.x[i] - x_range.low) / (x_range.high - x_range.low);
-            const double y = (curve.y[i] - y_range.low) / (y_range.high - y_range.low);
-            if (std::min(x, 1.0 - x) < corner_size && std::min(y, 1.0 - y) < corner_size)
+            const std::size_t before = curve.is_points || i == 0 ? i : i - 1;
+            for (int piece = 1; piece <= pieces; ++piece)
             {
-                ++points[x > 0.5 ? 1 : 0][y > 0.5 ? 1 : 0];
+                const double share = static_cast<double>(piece) / pieces;
+                count(curve.x[before] + share * (curve.x[i] - curve.x[before]),
+                      curve.y[before] + share * (curve.y[i] - curve.y[before]));
             }
         }
     }
@@ -139,13 +164,22 @@ void fill_chart(vtkChartXY* chart, const Panel& panel)
         const auto& color = line_colors[c % line_colors.size()];
         line->SetColor(color[0], color[1], color[2], 255);
         line->SetWidth(is_points ? 6.0f : 2.5f);
+        if (auto* marked = vtkPlotPoints::SafeDownCast(line); panel.curves[c].is_marked && marked != nullptr)
+        {
+            marked->SetMarkerStyle(vtkPlotPoints::CIRCLE);
+            marked->SetMarkerSize(9.0f);
+        }
         line->SetLabel(panel.curves[c].label);
     }
     // Points on the edge of a panel would be cut in half.
-    const bool has_points =
-        std::any_of(panel.curves.begin(), panel.curves.end(), [](const Curve& curve) { return curve.is_points; });
+    const bool has_points = std::any_of(panel.curves.begin(), panel.curves.end(),
+                                        [](const Curve& curve) { return curve.is_points || curve.is_marked; });
     const Range shown_x = x_range.widened(has_points ? 0.04 : 0.0);
     style_axis(chart->GetAxis(vtkAxis::BOTTOM), panel.x_label, shown_x);
+    if (!panel.x_ticks.empty())
+    {
+        set_ticks(chart->GetAxis(vtkAxis::BOTTOM), panel.x_ticks);
+    }
     // The label of the upright axis stands above the panel, where it can be read and does not meet the ticks.
     style_axis(chart->GetAxis(vtkAxis::LEFT), "", y_range.widened(0.05));
     chart->SetTitle(panel.y_label);

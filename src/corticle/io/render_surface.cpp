@@ -42,6 +42,12 @@ constexpr int title_height = 50;
 constexpr int bar_left = 1450;
 constexpr int samples = 2; // each pixel is the mean of 2 x 2
 
+constexpr int tile_picture = 380; // of a grid
+constexpr int tile_caption = 36;
+constexpr int tile_width = 400;
+constexpr int tile_height = tile_picture + tile_caption + 4;
+constexpr int bar_room = 150;
+
 constexpr std::array<int, 2> panel_left{10, 730};
 
 /// From where a panel looks. Frame: x right, y anterior, z superior.
@@ -170,11 +176,13 @@ vtkNew<vtkActor> body_of(vtkPolyData* surface, const ColorScale& scale)
     return body;
 }
 
-/// What each view shows, one after the other in one window: the shading of sulci fills a window, not a part of one.
-std::vector<vtkSmartPointer<vtkImageData>> draw_views(vtkActor* body, const Vec3& center, double half_width)
+/// What each view shows, `size` pixels square, one after the other in one window: the shading of sulci fills a window,
+/// not a part of one.
+std::vector<vtkSmartPointer<vtkImageData>> draw_views(vtkActor* body, const Vec3& center, double half_width,
+                                                      std::span<const View> shown, int size)
 {
     vtkNew<vtkRenderWindow> window;
-    set_up_window(window, samples * panel_size, samples * panel_size);
+    set_up_window(window, samples * size, samples * size);
     vtkNew<vtkRenderer> renderer;
     renderer->SetBackground(1, 1, 1);
     renderer->AddActor(body);
@@ -182,7 +190,7 @@ std::vector<vtkSmartPointer<vtkImageData>> draw_views(vtkActor* body, const Vec3
     add_occlusion(renderer, 0.12 * half_width);
     window->AddRenderer(renderer);
     std::vector<vtkSmartPointer<vtkImageData>> pictures;
-    for (const View& view : views)
+    for (const View& view : shown)
     {
         look(renderer, view, center, half_width);
         pictures.push_back(grab_picture(window, samples));
@@ -202,8 +210,25 @@ std::vector<vtkSmartPointer<vtkImageData>> draw_surface(std::span<const Vec3> po
                                                         double half_width)
 {
     assert(!points.empty() && (scalar.empty() || scalar.size() == points.size()));
-    return draw_views(body_of(polydata_of(points, triangles, scalar), scale), bounding_box(points).center(),
-                      half_width);
+    return draw_views(body_of(polydata_of(points, triangles, scalar), scale), bounding_box(points).center(), half_width,
+                      views, panel_size);
+}
+
+/// Middle and half of the width of the bulk of the points: where a few have left the body, a box about all would show
+/// little of it.
+std::pair<Vec3, double> bulk_of(std::span<const Vec3> points)
+{
+    Box box;
+    std::vector<double> along(points.size());
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        std::ranges::transform(points, along.begin(), [axis](const Vec3& point) { return point[axis]; });
+        std::ranges::sort(along);
+        const std::size_t left_out = along.size() / 200;
+        box.low[axis] = along[left_out];
+        box.high[axis] = along[along.size() - 1 - left_out];
+    }
+    return {box.center(), std::max(1.08 * box.half_width(), std::numeric_limits<double>::min())};
 }
 
 struct PagePanel
@@ -272,6 +297,40 @@ void render_surface_pair(const std::filesystem::path& png, const std::array<Surf
         }
     }
     save_page(png, panels, static_cast<int>(views.size()), scale, title);
+}
+
+void render_surface_grid(const std::filesystem::path& png, std::size_t count, std::size_t columns,
+                         const std::function<SurfaceTile(std::size_t)>& tile, const ColorScale& scale,
+                         const std::string& title)
+{
+    require_display(png);
+    const QuietVtk quiet;
+    const auto rows = static_cast<int>((count + columns - 1) / columns);
+    const int width = static_cast<int>(columns) * tile_width + bar_room;
+    const int height = rows * tile_height + title_height;
+    vtkNew<vtkRenderWindow> window;
+    set_up_window(window, width, height);
+    vtkNew<vtkRenderer> page;
+    page->SetBackground(1, 1, 1);
+    window->AddRenderer(page);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const SurfaceTile one = tile(i);
+        const int left = static_cast<int>(i % columns) * tile_width;
+        const int bottom = (rows - 1 - static_cast<int>(i / columns)) * tile_height;
+        if (!one.points.empty())
+        {
+            const auto [center, half_width] = bulk_of(one.points);
+            const vtkNew<vtkActor> body = body_of(polydata_of(one.points, one.triangles, one.scalar), scale);
+            const auto pictures = draw_views(body, center, half_width, {views.data(), 1}, tile_picture);
+            add_image(page, pictures.front(), left + (tile_width - tile_picture) / 2, bottom + tile_caption);
+        }
+        add_text(page, one.caption, left + 0.5 * tile_width, bottom + 0.5 * tile_caption, {.size = 16});
+    }
+    add_text(page, title, 0.5 * width, height - 0.5 * title_height, {.size = 24, .is_bold = true});
+    add_color_bar(page, scale, width - bar_room + 10, 0.5 * (height - title_height) - 0.5 * tile_picture + 20,
+                  tile_picture - 40);
+    save_picture(window, png);
 }
 
 } // namespace corticle

@@ -122,13 +122,17 @@ std::vector<FramePair> common_frames(const std::array<RunContents, 2>& runs, con
     return pairs;
 }
 
+FieldDifference compare_J(const std::array<Frame, 2>& frames)
+{
+    const std::array J{volume_ratios(frames[0]), volume_ratios(frames[1])};
+    return mean_difference({frames[0].origins, J[0], frames[0].spacing}, {frames[1].origins, J[1], frames[1].spacing});
+}
+
 void compare_frames(FramePair& pair, std::array<std::size_t, 2>& particles)
 {
     const std::array frames{read_frame(pair.files[0]), read_frame(pair.files[1])};
-    const std::array J{volume_ratios(frames[0]), volume_ratios(frames[1])};
-    particles = {J[0].size(), J[1].size()};
-    pair.J =
-        mean_difference({frames[0].origins, J[0], frames[0].spacing}, {frames[1].origins, J[1], frames[1].spacing});
+    particles = {frames[0].F.size(), frames[1].F.size()};
+    pair.J = compare_J(frames);
     pair.surface = surface_distance({frames[0].surface, frames[0].triangles}, {frames[1].surface, frames[1].triangles});
 }
 
@@ -209,6 +213,20 @@ RunComparison compare_runs(const std::array<fs::path, 2>& folders, std::span<con
         compare_frames(pair, result.particles);
     }
     return result;
+}
+
+JComparison compare_last_J(const std::array<fs::path, 2>& folders, double latest)
+{
+    const std::array runs{read_run(folders[0]), read_run(folders[1])};
+    std::vector<FramePair> frames = common_frames(runs, common_interval(runs));
+    std::erase_if(frames, [&](const FramePair& pair) { return pair.files[0].t > latest + same_time; });
+    if (frames.empty())
+    {
+        throw InputError(fmt::format("no common output time of {} and {} up to t = {}", folders[0].string(),
+                                     folders[1].string(), latest));
+    }
+    const auto& files = frames.back().files;
+    return {{files[0].t, files[1].t}, compare_J({read_frame(files[0]), read_frame(files[1])})};
 }
 
 } // namespace corticle

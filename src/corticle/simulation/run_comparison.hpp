@@ -51,6 +51,17 @@ std::vector<double> volume_ratios(const Frame& frame);
 /// @throws InputError when one is not a run folder, is damaged, or they have no time in common
 RunComparison compare_runs(const std::array<std::filesystem::path, 2>& folders, std::span<const double> picture_times);
 
+/// J of two runs at one output time that both have.
+struct JComparison
+{
+    std::array<double, 2> t{}; ///< of the frames
+    FieldDifference J;
+};
+
+/// Compares J of two run folders at their last common output time, of those not after `latest`.
+/// @throws InputError when one is not a run folder, is damaged, or they have no such time
+JComparison compare_last_J(const std::array<std::filesystem::path, 2>& folders, double latest);
+
 /// Draws measures.png and, for each pictured time, surface_J_*.png and cut_J_*.png. @throws RunError
 Pictures draw_comparison(const std::filesystem::path& folder, const RunComparison& comparison);
 

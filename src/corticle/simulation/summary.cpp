@@ -111,6 +111,34 @@ std::string summary_json(const Simulation& simulation, const Measures& last, con
     return j.dump(2) + "\n";
 }
 
+std::vector<std::string> summary_number_keys()
+{
+    std::vector<std::string> keys{"particles",
+                                  "surface_particles",
+                                  "elements",
+                                  "threads",
+                                  "wall_s",
+                                  "us_per_particle_step",
+                                  "peak_memory_mb",
+                                  "onset_t",
+                                  "zero_mode_share",
+                                  "kinetic_share",
+                                  "spacing_mm",
+                                  "neighbours_mean",
+                                  "dropped_pairs",
+                                  "remesh_area_change",
+                                  "remesh_volume_change",
+                                  "remesh_largest_distance_mm"};
+    for (const MeasureColumn& column : measure_columns())
+    {
+        if (column.key != "contact_pairs")
+        {
+            keys.emplace_back(column.key);
+        }
+    }
+    return keys;
+}
+
 std::vector<std::string> energy_warnings(const Measures& row)
 {
     std::vector<std::string> warnings;

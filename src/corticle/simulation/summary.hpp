@@ -20,6 +20,9 @@ struct RunInfo
 /// summary.json: see docs/guide/run-folder.md for the keys.
 std::string summary_json(const Simulation& simulation, const Measures& last, const RunInfo& info);
 
+/// Its keys whose values are numbers, those included that only some runs have.
+std::vector<std::string> summary_number_keys();
+
 /// Peak resident memory of this process [MB].
 double peak_memory_mb();
 

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands.hpp"
+
+namespace corticle
+{
+
+int sweep_command(SweepRequest request)
+{
+    request.out = request.out.empty() ? std::filesystem::path("runs") / request.file.stem() : request.out;
+    return sweep(request) == RunStatus::completed ? exit_status::done : exit_status::interrupted;
+}
+
+} // namespace corticle

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/config/toml_document.hpp"
+
+#include <filesystem>
+
+// What the parts of a sweep file have in common.
+
+namespace corticle
+{
+
+/// Where something stands: "sweep.toml:4".
+struct SweepPlace
+{
+    const std::string& name; ///< of the file
+    const std::filesystem::path& directory;
+
+    std::string at(const TomlNode& node) const;
+};
+
+/// The text of a node. @throws InputError when it is none, or empty
+std::string sweep_text(const TomlNode& node, const SweepPlace& place);
+
+/// The number of a node. @throws InputError when it is none, or not finite
+double sweep_number(const TomlNode& node, const SweepPlace& place);
+
+/// A value for a key of the case, checked against the table of parameters: file names become absolute, whole numbers
+/// are given to keys that count.
+/// @throws InputError
+Value sweep_value(const std::string& key, const Value& value, const std::string& where, const SweepPlace& place);
+
+} // namespace corticle

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <sys/types.h>
+
+namespace corticle
+{
+
+/// How a process ended.
+struct ProcessEnd
+{
+    int status = 0;     ///< exit status; meaningless where a signal ended it
+    int signal = 0;     ///< 0: it ended by itself
+    std::string output; ///< the end of what it wrote to standard output and error
+};
+
+/// A command that runs beside this process, in a process group of its own, so that Ctrl-C reaches only this process.
+/// It gets SIGTERM when this process ends in whatever way. To be started from the main thread.
+class ChildProcess
+{
+  public:
+    /// @param words  the command and its arguments
+    /// @throws RunError when it cannot be started
+    explicit ChildProcess(const std::vector<std::string>& words);
+    ChildProcess(ChildProcess&& other) noexcept;
+    ChildProcess& operator=(ChildProcess&& other) noexcept;
+    /// Ends it at once if it still runs.
+    ~ChildProcess();
+
+    /// How it ended; nothing while it runs.
+    std::optional<ProcessEnd> poll();
+    /// Asks it to end (SIGTERM).
+    void terminate() const;
+
+  private:
+    pid_t id_ = -1;
+    int output_ = -1;
+};
+
+} // namespace corticle
