@@ -87,6 +87,7 @@ void add_sweep(CLI::App& app, Verb& chosen)
         ->type_name("N")
         ->check(CLI::Range(1, 1024));
     verb->add_flag("--retry", request->retry, "Go on with runs that failed");
+    verb->add_flag("--cases-only", request->cases_only, "Write the case of each run to DIR/cases and make none");
     verb->add_flag("--list", request->list, "Print the runs and how they stand; write nothing");
     verb->add_flag("--quiet", request->quiet, "Print nothing but errors");
     verb->callback([request, &chosen] { chosen = [request] { return sweep_command(*request); }; });

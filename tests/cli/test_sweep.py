@@ -278,6 +278,18 @@ values = ["smooth", "binary"]
         bench.check("mu_white = 1.5" in case and "particles = 500" in case, f"{row['name']}: settings are not in its case")
 
 
+def cases_only(bench):
+    """The cases of a sweep, run elsewhere, are gathered by it."""
+    write(bench)
+    bench.accepted(*SWEEP_OF, "--cases-only")
+    cases = sorted((bench.folder / "S/cases").glob("*.toml"))
+    bench.check(len(cases) == 4 and made(bench) == {}, f"cases {cases}, runs {made(bench)}")
+    for case in cases:
+        bench.accepted("run", case, "--out", f"S/runs/{case.stem}", "--resume", "--quiet")
+    bench.check("4 runs: 4 kept" in bench.accepted(*SWEEP_OF), "runs made elsewhere are not kept")
+    bench.check([row["status"] for row in rows(bench)] == 4 * ["completed"], f"rows {rows(bench)}")
+
+
 def refusals(bench):
     def refused(old, new, *parts, more=()):
         assert old in SWEEP or not old
@@ -337,4 +349,4 @@ def refusals(bench):
 
 if __name__ == "__main__":
     sys.stdout.reconfigure(line_buffering=True)
-    _command.main(__doc__, whole_sweep, killed, interrupted, orphans, failed, crashed, changed, zipped, refusals)
+    _command.main(__doc__, whole_sweep, killed, interrupted, orphans, failed, crashed, changed, zipped, cases_only, refusals)

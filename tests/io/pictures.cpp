@@ -2,6 +2,7 @@
 #include "corticle/io/pictures.hpp"
 
 #include "corticle/base/error.hpp"
+#include "corticle/geometry/shapes.hpp"
 #include "corticle/io/plane_section.hpp"
 #include "io/surface_samples.hpp"
 #include "io/temporary_folder.hpp"
@@ -219,6 +220,57 @@ TEST_F(Pictures, PlotMarksPoints)
     const Pixel second{213, 94, 0};
     EXPECT_TRUE(read_picture(folder / "a.png").colors.contains(second));
     EXPECT_FALSE(read_picture(folder / "b.png").colors.contains(second));
+}
+
+TEST_F(Pictures, PlotMarksPointsOfLinesAndNamesTicks)
+{
+    const auto draw = [&](const std::string& name, bool is_marked, std::vector<std::pair<double, std::string>> ticks)
+    {
+        const Curve curve{"line", {0, 1}, {0, 1}, false, is_marked};
+        const Curve wider{"points", {-0.2, 1.2}, {-0.2, 1.2}, true}; // both pictures have one range
+        render_plot(folder / name, std::array{Panel{"x", "y", {curve, wider}, std::move(ticks)}}, "ticks");
+        const Picture picture = read_picture(folder / name);
+        return std::count(picture.pixels.begin(), picture.pixels.end(), Pixel{0, 114, 178});
+    };
+    const auto plain = draw("plain.png", false, {});
+    EXPECT_GT(draw("marked.png", true, {}), plain + 50);
+    draw("ticks.png", false, {{0.25, "coarse"}, {0.75, "fine"}});
+    EXPECT_NE(read_picture(folder / "ticks.png").pixels, read_picture(folder / "plain.png").pixels);
+}
+
+TEST_F(Pictures, GridDrawsEachTileInItsPlace)
+{
+    const TriangleMesh ball = make_ellipsoid({2.0, 2.0, 2.0}, 0.3);
+    const auto tile = [&](std::size_t i) -> SurfaceTile
+    {
+        if (i == 1)
+        {
+            return {"failed", {}, {}, {}};
+        }
+        std::vector<Vec3> points = ball.vertices;
+        points.front() *= i == 2 ? 50.0 : 1.0; // one has left the body
+        return {"ball", std::move(points), ball.triangles, std::vector<double>(ball.vertices.size(), 1.0)};
+    };
+    render_surface_grid(folder / "grid.png", 3, 2, tile, {"J", 0.0, 1.0, "viridis"}, "three");
+    const Picture picture = read_picture(folder / "grid.png");
+    EXPECT_EQ(picture.width, 950);
+    EXPECT_EQ(picture.height, 890);
+    const auto drawn = [&](int left, int bottom)
+    {
+        int count = 0;
+        for (int y = bottom + 40; y < bottom + 400; ++y)
+        {
+            for (int x = left; x < left + 400; ++x)
+            {
+                count += picture.at(x, y) != Pixel{255, 255, 255} ? 1 : 0;
+            }
+        }
+        return count;
+    };
+    const int first = drawn(0, 420);
+    EXPECT_GT(first, 60000);
+    EXPECT_EQ(drawn(400, 420), 0);
+    EXPECT_GT(drawn(0, 0), first * 4 / 5);
 }
 
 TEST_F(Pictures, PlotDrawsCurvesAndSurvivesOddOnes)

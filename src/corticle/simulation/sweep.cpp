@@ -94,7 +94,7 @@ std::vector<SweepJob> prepare_jobs(const SweepTable& table, const SweepRequest& 
             continue;
         }
         write_text_atomically(case_file, run.case_text);
-        if (is_to_do && is_chosen[row.run])
+        if (is_to_do && is_chosen[row.run] && !request.cases_only)
         {
             jobs.push_back({case_file, table.out / row.folder, relative_cost(run.options), run.options.time.start,
                             run.options.time.end, request.retry});
@@ -193,6 +193,10 @@ RunStatus sweep(const SweepRequest& request)
     if (!make_missing(table, request, is_chosen))
     {
         return RunStatus::interrupted;
+    }
+    if (request.cases_only)
+    {
+        return RunStatus::completed;
     }
     compare_to_references(table);
     const Pictures pictures = draw_sweep(table);

@@ -19,6 +19,7 @@ struct SweepRequest
     int jobs = 0;                       ///< runs side by side; 0: as many as there are cores
     int threads_per_run = 0;            ///< 0: so that the runs fill the cores
     bool retry = false;                 ///< go on with runs that failed
+    bool cases_only = false;            ///< write the cases of the runs and make none
     bool list = false;                  ///< say how the runs stand, write nothing
     bool quiet = false;
     std::string command = "/proc/self/exe"; ///< started as `COMMAND run CASE --out FOLDER ...`
