@@ -65,8 +65,8 @@ double membrane_deflection(int bricks)
 double report_membrane(int bricks)
 {
     const double off = membrane_deflection(bricks) / 14.728 - 1.0;
-    std::printf("Cook's membrane, %d x %d bricks of 6 tets: u_y = %.3f mm, reference 14.728 (%+.2f %%)\n", bricks, bricks,
-                14.728 * (1.0 + off), 100.0 * off);
+    std::printf("Cook's membrane, %d x %d bricks of 6 tets: u_y = %.3f mm, reference 14.728 (%+.2f %%)\n", bricks,
+                bricks, 14.728 * (1.0 + off), 100.0 * off);
     return off;
 }
 

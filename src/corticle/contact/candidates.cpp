@@ -80,9 +80,10 @@ std::vector<VertexTriangle> close_vertex_triangles(std::span<const Vec3> x, std:
                                const Vec3 b = at(x, corner[1]);
                                const Vec3 c = at(x, corner[2]);
                                const auto weight = closest_on_triangle(p, a, b, c);
-                               if (squared_norm(p - (weight[0] * a + weight[1] * b + weight[2] * c)) < range * range)
+                               const double squared = squared_norm(p - (weight[0] * a + weight[1] * b + weight[2] * c));
+                               if (squared < range * range)
                                {
-                                   found.push_back({vertex, triangle});
+                                   found.push_back({vertex, triangle, std::sqrt(squared)});
                                }
                            });
                 std::sort(found.begin() + static_cast<std::ptrdiff_t>(first), found.end(),
@@ -91,41 +92,53 @@ std::vector<VertexTriangle> close_vertex_triangles(std::span<const Vec3> x, std:
         });
 }
 
+/// Whether the balls about two segments are more than `range` apart: most pairs of overlapping boxes are.
+bool far_apart(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double range)
+{
+    const double reach = 0.5 * (norm(b - a) + norm(d - c)) + range;
+    return 0.25 * squared_norm(a + b - c - d) > reach * reach;
+}
+
 std::vector<EdgeEdge> close_edge_edges(std::span<const Vec3> x, std::span<const Edge> edges, double range, double cell)
 {
     const std::vector<Box> boxes = bounding_boxes(x, edges, 0.5 * range);
     const BoxGrid grid(boxes, cell);
-    return collect<EdgeEdge>(std::ssize(edges),
-                             [&](std::int64_t begin, std::int64_t end, std::vector<EdgeEdge>& found)
-                             {
-                                 for (std::int64_t k = begin; k < end; ++k)
-                                 {
-                                     const auto first = static_cast<std::int32_t>(k);
-                                     const Edge e = edges[static_cast<std::size_t>(k)];
-                                     const std::size_t begin_of_edge = found.size();
-                                     grid.query(boxes[static_cast<std::size_t>(k)], first,
-                                                [&](std::int32_t second)
-                                                {
-                                                    const Edge o = edges[static_cast<std::size_t>(second)];
-                                                    if (e[0] == o[0] || e[0] == o[1] || e[1] == o[0] || e[1] == o[1])
-                                                    {
-                                                        return;
-                                                    }
-                                                    const Vec3 a = at(x, e[0]);
-                                                    const Vec3 b = at(x, e[1]);
-                                                    const Vec3 c = at(x, o[0]);
-                                                    const Vec3 d = at(x, o[1]);
-                                                    const auto [s, t] = closest_of_segments(a, b, c, d);
-                                                    if (squared_norm(a + s * (b - a) - c - t * (d - c)) < range * range)
-                                                    {
-                                                        found.push_back({first, second});
-                                                    }
-                                                });
-                                     std::sort(found.begin() + static_cast<std::ptrdiff_t>(begin_of_edge), found.end(),
-                                               [](const EdgeEdge& a, const EdgeEdge& b)
-                                               { return a.second < b.second; });
-                                 }
-                             });
+    return collect<EdgeEdge>(
+        std::ssize(edges),
+        [&](std::int64_t begin, std::int64_t end, std::vector<EdgeEdge>& found)
+        {
+            for (std::int64_t k = begin; k < end; ++k)
+            {
+                const auto first = static_cast<std::int32_t>(k);
+                const Edge e = edges[static_cast<std::size_t>(k)];
+                const std::size_t begin_of_edge = found.size();
+                grid.query(boxes[static_cast<std::size_t>(k)], first,
+                           [&](std::int32_t second)
+                           {
+                               const Edge o = edges[static_cast<std::size_t>(second)];
+                               if (e[0] == o[0] || e[0] == o[1] || e[1] == o[0] || e[1] == o[1])
+                               {
+                                   return;
+                               }
+                               const Vec3 a = at(x, e[0]);
+                               const Vec3 b = at(x, e[1]);
+                               const Vec3 c = at(x, o[0]);
+                               const Vec3 d = at(x, o[1]);
+                               if (far_apart(a, b, c, d, range))
+                               {
+                                   return;
+                               }
+                               const auto [s, t] = closest_of_segments(a, b, c, d);
+                               const double squared = squared_norm(a + s * (b - a) - c - t * (d - c));
+                               if (squared < range * range)
+                               {
+                                   found.push_back({first, second, std::sqrt(squared)});
+                               }
+                           });
+                std::sort(found.begin() + static_cast<std::ptrdiff_t>(begin_of_edge), found.end(),
+                          [](const EdgeEdge& a, const EdgeEdge& b) { return a.second < b.second; });
+            }
+        });
 }
 
 } // namespace

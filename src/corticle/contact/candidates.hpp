@@ -22,6 +22,7 @@ struct VertexTriangle
 {
     std::int32_t vertex;
     std::int32_t triangle;
+    double distance; ///< where it was found [mm]
 };
 
 /// Two edges without a common vertex, the lower index first.
@@ -29,6 +30,7 @@ struct EdgeEdge
 {
     std::int32_t first;
     std::int32_t second;
+    double distance; ///< where it was found [mm]
 };
 
 /// All pairs of a surface that lie within a distance of each other.

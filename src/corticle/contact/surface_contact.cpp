@@ -12,8 +12,9 @@ namespace corticle
 namespace
 {
 
-constexpr double skin_in_spacings = 0.4;
-constexpr double travel_share = 0.4; ///< of the distance; both sides together use 0.8 of it
+constexpr double skin_in_spacings = 0.4; ///< twice and three times as much finds fewer times, but more pairs: slower
+constexpr std::int64_t pairs_per_block = 8192; ///< that one thread looks through for those that are due
+constexpr double travel_share = 0.4;           ///< of the distance; both sides together use 0.8 of it
 
 Vec3 at(std::span<const Vec3> x, std::int32_t vertex)
 {
@@ -30,12 +31,12 @@ SurfaceContact::SurfaceContact(std::vector<Triangle> triangles, std::span<const 
       travel_limit_(rest.size())
 {
     refresh_candidates(rest);
-    for (const VertexTriangle& pair : candidates_.vertex_triangle)
+    for (const VertexTriangle& pair : vertices_.pairs)
     {
         double& gap = vertex_gap_[static_cast<std::size_t>(pair.vertex)];
         gap = std::min(gap, measure(pair, rest).distance);
     }
-    for (const EdgeEdge& pair : candidates_.edge_edge)
+    for (const EdgeEdge& pair : edge_pairs_.pairs)
     {
         const double distance = measure(pair, rest).distance;
         for (const std::int32_t edge : {pair.first, pair.second})
@@ -78,36 +79,84 @@ SurfaceContact::Push SurfaceContact::measure(const EdgeEdge& pair, std::span<con
 }
 
 template <class Pair>
-void SurfaceContact::measure_all(std::span<const Pair> pairs, std::span<const Vec3> x, std::vector<Push>& pushes) const
+void SurfaceContact::watch(std::vector<Pair> pairs, Watch<Pair>& watched) const
 {
-    pushes.resize(pairs.size());
-    parallel_for(std::ssize(pairs), [&](std::int64_t k)
-                 { pushes[static_cast<std::size_t>(k)] = measure(pairs[static_cast<std::size_t>(k)], x); });
+    watched.pairs = std::move(pairs);
+    watched.due.resize(watched.pairs.size());
+    parallel_for(std::ssize(watched.pairs),
+                 [&](std::int64_t k) { watched.due[k] = path_ + 0.5 * (watched.pairs[k].distance - dhat_); });
 }
 
+template <class Pair>
+void SurfaceContact::measure_due(std::span<const Vec3> x, Watch<Pair>& watched) const
+{
+    const double reached = path_ + 1e-9 * dhat_; // ahead of what additions round off
+    watched.now = parallel_reduce(
+        std::ssize(watched.pairs), std::vector<std::int32_t>{},
+        [&](std::int64_t begin, std::int64_t end)
+        {
+            std::vector<std::int32_t> found;
+            for (std::int64_t k = begin; k < end; ++k)
+            {
+                if (watched.due[k] < reached)
+                {
+                    found.push_back(static_cast<std::int32_t>(k));
+                }
+            }
+            return found;
+        },
+        [](std::vector<std::int32_t>& all, const std::vector<std::int32_t>& part)
+        { all.insert(all.end(), part.begin(), part.end()); },
+        pairs_per_block);
+    watched.push.resize(watched.now.size());
+    parallel_for(std::ssize(watched.now),
+                 [&](std::int64_t m)
+                 {
+                     const std::int32_t k = watched.now[m];
+                     watched.push[m] = measure(watched.pairs[k], x);
+                     watched.due[k] = path_ + 0.5 * (watched.push[m].distance - dhat_);
+                 });
+}
+
+/// Notes how far the vertices have moved; finds the candidates anew when one may be missing.
 void SurfaceContact::refresh_candidates(std::span<const Vec3> x)
 {
+    struct Moved
+    {
+        double since_listed = 0.0; ///< squared
+        double since_last = 0.0;   ///< squared
+    };
     if (listed_at_.size() == x.size())
     {
-        const double moved = parallel_reduce(
-            std::ssize(x), 0.0,
+        const Moved moved = parallel_reduce(
+            std::ssize(x), Moved{},
             [&](std::int64_t begin, std::int64_t end)
             {
-                double largest = 0.0;
-                for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
+                Moved largest;
+                for (std::int64_t k = begin; k < end; ++k)
                 {
-                    largest = std::max(largest, squared_norm(x[k] - listed_at_[k]));
+                    largest.since_listed = std::max(largest.since_listed, squared_norm(x[k] - listed_at_[k]));
+                    largest.since_last = std::max(largest.since_last, squared_norm(x[k] - last_x_[k]));
+                    last_x_[k] = x[k];
                 }
                 return largest;
             },
-            [](double& total, double part) { total = std::max(total, part); });
-        if (moved < 0.25 * skin_ * skin_)
+            [](Moved& total, const Moved& part)
+            {
+                total.since_listed = std::max(total.since_listed, part.since_listed);
+                total.since_last = std::max(total.since_last, part.since_last);
+            });
+        path_ += std::sqrt(moved.since_last);
+        if (moved.since_listed < 0.25 * skin_ * skin_)
         {
             return;
         }
     }
-    candidates_ = find_candidates(x, triangles_, edges_, dhat_ + skin_);
+    Candidates found = find_candidates(x, triangles_, edges_, dhat_ + skin_);
+    watch(std::move(found.vertex_triangle), vertices_);
+    watch(std::move(found.edge_edge), edge_pairs_);
     listed_at_.assign(x.begin(), x.end());
+    last_x_ = listed_at_;
 }
 
 void SurfaceContact::limit_travel(const std::array<std::int32_t, 4>& vertex, double distance)
@@ -147,67 +196,70 @@ void SurfaceContact::apply(const std::array<std::int32_t, 4>& vertex, const Push
 void SurfaceContact::push_vertices(std::span<const Vec3> v, double dt, std::span<Vec3> forces,
                                    ContactResponse& response)
 {
-    const auto& pairs = candidates_.vertex_triangle;
-    for (std::size_t first = 0; first < pairs.size();)
+    const auto pair = [&](std::size_t m) -> const VertexTriangle& { return vertices_.pairs[vertices_.now[m]]; };
+    const std::vector<Push>& push = vertices_.push;
+    for (std::size_t first = 0; first < push.size();)
     {
         std::size_t closest = first;
-        std::size_t k = first;
-        for (; k < pairs.size() && pairs[k].vertex == pairs[first].vertex; ++k)
+        std::size_t m = first;
+        for (; m < push.size() && pair(m).vertex == pair(first).vertex; ++m)
         {
-            closest = vertex_push_[k].distance < vertex_push_[closest].distance ? k : closest;
-            if (vertex_push_[k].distance < dhat_)
+            closest = push[m].distance < push[closest].distance ? m : closest;
+            if (push[m].distance < dhat_)
             {
-                limit_travel(vertices_of(pairs[k]), vertex_push_[k].distance);
+                limit_travel(vertices_of(pair(m)), push[m].distance);
             }
         }
-        const double gap = vertex_gap_[static_cast<std::size_t>(pairs[first].vertex)];
-        if (vertex_push_[closest].distance < gap)
+        const double gap = vertex_gap_[static_cast<std::size_t>(pair(first).vertex)];
+        if (push[closest].distance < gap)
         {
-            apply(vertices_of(pairs[closest]), vertex_push_[closest], gap, v, dt, forces, response);
+            apply(vertices_of(pair(closest)), push[closest], gap, v, dt, forces, response);
         }
-        first = k;
+        first = m;
     }
 }
 
 void SurfaceContact::push_edges(std::span<const Vec3> v, double dt, std::span<Vec3> forces, ContactResponse& response)
 {
-    const auto& pairs = candidates_.edge_edge;
-    const auto consider = [&](std::int32_t edge, std::size_t pair)
+    const auto pair = [&](std::size_t m) -> const EdgeEdge& { return edge_pairs_.pairs[edge_pairs_.now[m]]; };
+    const std::vector<Push>& pushes = edge_pairs_.push;
+    const auto consider = [&](std::int32_t edge, std::size_t m)
     {
         std::int32_t& closest = closest_pair_[static_cast<std::size_t>(edge)];
-        if (closest < 0 || edge_push_[pair].distance < edge_push_[static_cast<std::size_t>(closest)].distance)
+        if (closest < 0 || pushes[m].distance < pushes[static_cast<std::size_t>(closest)].distance)
         {
-            closest = static_cast<std::int32_t>(pair);
+            closest = static_cast<std::int32_t>(m);
         }
     };
-    for (std::size_t k = 0; k < pairs.size(); ++k)
+    for (std::size_t m = 0; m < pushes.size(); ++m)
     {
-        if (edge_push_[k].distance < dhat_)
+        if (pushes[m].distance < dhat_)
         {
-            limit_travel(vertices_of(pairs[k]), edge_push_[k].distance);
-            consider(pairs[k].first, k);
-            consider(pairs[k].second, k);
+            limit_travel(vertices_of(pair(m)), pushes[m].distance);
+            consider(pair(m).first, m);
+            consider(pair(m).second, m);
         }
     }
-    for (std::size_t k = 0; k < pairs.size(); ++k)
+    for (std::size_t m = 0; m < pushes.size(); ++m)
     {
-        const auto index = static_cast<std::int32_t>(k);
-        const Push& push = edge_push_[k];
-        const double gap = std::min(edge_gap_[static_cast<std::size_t>(pairs[k].first)],
-                                    edge_gap_[static_cast<std::size_t>(pairs[k].second)]);
-        const bool mutual = closest_pair_[static_cast<std::size_t>(pairs[k].first)] == index &&
-                            closest_pair_[static_cast<std::size_t>(pairs[k].second)] == index;
+        const auto index = static_cast<std::int32_t>(m);
+        const Push& push = pushes[m];
+        const EdgeEdge& edges = pair(m);
+        const double gap = std::min(edge_gap_[static_cast<std::size_t>(edges.first)],
+                                    edge_gap_[static_cast<std::size_t>(edges.second)]);
+        const bool mutual = closest_pair_[static_cast<std::size_t>(edges.first)] == index &&
+                            closest_pair_[static_cast<std::size_t>(edges.second)] == index;
         const bool inside =
             push.weight[0] > 0.0 && push.weight[1] > 0.0 && push.weight[2] < 0.0 && push.weight[3] < 0.0;
         if (mutual && inside && push.distance < gap)
         {
-            apply(vertices_of(pairs[k]), push, gap, v, dt, forces, response);
+            apply(vertices_of(edges), push, gap, v, dt, forces, response);
         }
     }
-    for (const EdgeEdge& pair : pairs)
+    for (std::size_t m = 0; m < pushes.size(); ++m)
     {
-        closest_pair_[static_cast<std::size_t>(pair.first)] = -1;
-        closest_pair_[static_cast<std::size_t>(pair.second)] = -1;
+        closest_pair_[static_cast<std::size_t>(pair(m).first)] = -1;
+        closest_pair_[static_cast<std::size_t>(pair(m).second)] = -1;
     }
 }
 
@@ -216,8 +268,8 @@ ContactResponse SurfaceContact::evaluate(std::span<const Vec3> x, std::span<cons
 {
     refresh_candidates(x);
     std::fill(travel_limit_.begin(), travel_limit_.end(), travel_share * dhat_);
-    measure_all<VertexTriangle>(candidates_.vertex_triangle, x, vertex_push_);
-    measure_all<EdgeEdge>(candidates_.edge_edge, x, edge_push_);
+    measure_due(x, vertices_);
+    measure_due(x, edge_pairs_);
     ContactResponse response;
     push_vertices(v, dt, forces, response);
     push_edges(v, dt, forces, response);

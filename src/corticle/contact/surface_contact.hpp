@@ -50,12 +50,24 @@ class SurfaceContact
         Vec3 direction;               ///< unit, from the second to the first
         std::array<double, 4> weight; ///< of the four vertices: positive on the first primitive, negative on the second
     };
+    /// Candidates, and those of them that may be closer than dhat now: no pair approaches faster than twice the fastest
+    /// vertex moves, so a pair measured once need not be measured again before they have moved that far.
+    template <class Pair>
+    struct Watch
+    {
+        std::vector<Pair> pairs;
+        std::vector<double> due;       ///< path at which it may be closer than dhat [mm]
+        std::vector<std::int32_t> now; ///< pairs that may, ascending
+        std::vector<Push> push;        ///< of these
+    };
     std::array<std::int32_t, 4> vertices_of(const VertexTriangle& pair) const;
     std::array<std::int32_t, 4> vertices_of(const EdgeEdge& pair) const;
     Push measure(const VertexTriangle& pair, std::span<const Vec3> x) const;
     Push measure(const EdgeEdge& pair, std::span<const Vec3> x) const;
     template <class Pair>
-    void measure_all(std::span<const Pair> pairs, std::span<const Vec3> x, std::vector<Push>& pushes) const;
+    void watch(std::vector<Pair> pairs, Watch<Pair>& watched) const;
+    template <class Pair>
+    void measure_due(std::span<const Vec3> x, Watch<Pair>& watched) const;
     void apply(const std::array<std::int32_t, 4>& vertex, const Push& push, double gap, std::span<const Vec3> v,
                double dt, std::span<Vec3> forces, ContactResponse& response) const;
     void limit_travel(const std::array<std::int32_t, 4>& vertex, double distance);
@@ -73,10 +85,11 @@ class SurfaceContact
     std::vector<double> edge_gap_;   ///< [mm]
 
     // Scratch: nothing below changes what the next evaluation gives.
-    Candidates candidates_;
+    Watch<VertexTriangle> vertices_;
+    Watch<EdgeEdge> edge_pairs_;
     std::vector<Vec3> listed_at_; ///< positions the candidates were found at
-    std::vector<Push> vertex_push_;
-    std::vector<Push> edge_push_;
+    std::vector<Vec3> last_x_;
+    double path_ = 0.0;                      ///< sum of the largest displacements between evaluations [mm]
     std::vector<std::int32_t> closest_pair_; ///< per edge: its closest candidate, or -1
     std::vector<double> travel_limit_;
 };
