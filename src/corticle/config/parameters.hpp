@@ -20,7 +20,7 @@ namespace corticle
 inline constexpr std::int64_t default_particles = 45000;
 inline constexpr std::int64_t fewest_particles = 500;
 inline constexpr std::int64_t most_particles = 100'000'000;
-inline constexpr std::int64_t fewest_elements = 1500;
+inline constexpr std::int64_t fewest_elements = 2500;
 inline constexpr std::int64_t most_elements = 500'000'000;
 
 /// Numbers between two bounds, each with or without the bound itself.

@@ -1,0 +1,229 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The same sphere by particles and by finite elements, each at several resolutions: do they tend to the same?
+
+(a) the standard sphere, cases/sphere.toml; (b) a smooth layer and one bulk modulus, as a finite-element code of the
+Tallinen lineage ran it. Runs are made with $CORTICLE into --runs (a_sph_20000, a_fem_50000, b_..., one folder each);
+those that are complete are kept, one that was stopped goes on. --limit bounds each run: what it has then is kept too.
+"""
+
+import argparse
+import os
+import shutil
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent))
+
+import _plot  # noqa: E402
+import _runs  # noqa: E402
+import _sphere  # noqa: E402
+import reference  # noqa: E402
+import verdicts  # noqa: E402
+
+SIZES = {
+    "all": {"sph": (20000, 45000, 120000, 250000), "fem": (50000, 100000, 223000, 500000)},
+    "small": {"sph": (20000, 45000), "fem": (50000, 100000)},
+    "tiny": {"sph": (3000, 6000), "fem": (8000, 16000)},
+}
+SMOOTH = ["tissue.layer=smooth", "tissue.lambda=0", "tissue.thickness_mm=1.674", "tissue.bulk=uniform",
+          "tissue.bulk_modulus=5", "tissue.mu_cortex=1", "tissue.mu_white=1.167"]
+CASES = {"a": ("binary layer, K per tissue", []), "b": ("smooth layer, K uniform", SMOOTH)}
+KEYS = {"sph": "geometry.particles", "fem": "solver.elements"}
+NAMES = {"sph": "TL-SPH", "fem": "FEM"}
+SHOWN = (0.5, 1.0)
+
+
+def output_times():
+    return sorted({round(0.05 * k, 2) for k in range(1, 21)} | {row[0] for row in reference.LINEAGE})
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    default = _runs.ROOT / "build/release/bin/corticle"
+    parser.add_argument("--command", type=Path, default=os.environ.get("CORTICLE", default))
+    parser.add_argument("--runs", type=Path, help="folder of the runs",
+                        default=os.environ.get("CORTICLE_OUT", _runs.ROOT / "runs/validation/sphere_sph_vs_fem"))
+    parser.add_argument("--sizes", choices=SIZES, default="all")
+    parser.add_argument("--limit", type=float, default=7200.0, help="longest wall time of a run in this session [s]")
+    parser.add_argument("--only-read", action="store_true", help="make no runs")
+    parser.add_argument("--results", type=Path, default=HERE, help="where results.md and pictures go")
+    return parser.parse_args()
+
+
+def make(arguments, folder, settings):
+    """Makes the run or goes on with it; an interrupt at the limit leaves a checkpoint."""
+    words = [str(Path(arguments.command).resolve()), "run", str(_runs.ROOT / "cases/sphere.toml"), "--out", str(folder),
+             "--resume", *(word for setting in settings for word in ("--set", setting))]
+    print(" ".join(words), flush=True)
+    process = subprocess.Popen(words)
+    try:
+        process.wait(timeout=arguments.limit)
+    except subprocess.TimeoutExpired:
+        print(f"{folder}: stopped at the limit; the next session goes on with it", flush=True)
+        process.send_signal(signal.SIGINT)
+        process.wait()
+
+
+def sizes_of(arguments, case, method):
+    extra = (253000,) if (case, method, arguments.sizes) == ("b", "fem", "all") else ()
+    return sorted({*SIZES[arguments.sizes][method], *extra})
+
+
+def describe(folder, case, method, size):
+    summary, rows = _runs.read_summary(folder), _runs.read_measures(folder)
+    result = {key: summary[key] for key in ("version", "particles", "elements", "spacing_mm", "threads", "steps",
+                                            "rejected_steps", "zero_mode_share", "wall_s", "onset_t")}
+    result |= {"case": case, "method": method, "size": size, "name": f"{NAMES[method]} {size:,}",
+               "ns_per_element_step": summary.get("ns_per_element_step"), "rows": rows,
+               "most_overlap": max(row["overlap_area_share"] for row in rows),
+               "most_inverted": max(row["inverted_elements"] for row in rows),
+               "most_extrapolated": max(row["extrapolated_elements"] for row in rows),
+               "folds": {str(t): _sphere.fold_width(folder, t) for t in SHOWN}}
+    return result
+
+
+def at(result, t):
+    """Measures at t, linearly between output times."""
+    rows = result["rows"]
+    after = next((k for k, row in enumerate(rows) if row["t"] >= t - 1e-9), len(rows) - 1)
+    before = max(after - 1, 0)
+    span = rows[after]["t"] - rows[before]["t"]
+    share = min(max((t - rows[before]["t"]) / span, 0.0), 1.0) if span > 0 else 1.0
+    return {key: rows[before][key] + share * (rows[after][key] - rows[before][key]) for key in rows[after]}
+
+
+def results_of(arguments):
+    for case, (_, tissue) in CASES.items():
+        for method in ("sph", "fem"):
+            for size in sizes_of(arguments, case, method):
+                folder = arguments.runs / f"{case}_{method}_{size}"
+                if not arguments.only_read and not _runs.is_complete(folder):
+                    times = ", ".join(str(t) for t in output_times())
+                    make(arguments, folder, [f"solver.method={'tlsph' if method == 'sph' else 'fem'}",
+                                             f"{KEYS[method]}={size}", *tissue, f"output.times=[{times}]",
+                                             "output.picture_times=[0.5, 1.0]"])
+                if _runs.is_complete(folder):
+                    yield describe(folder, case, method, size)
+                else:
+                    print(f"{folder}: no complete run, left out")
+
+
+def convergence_table(results):
+    columns = [("run", lambda r: r["name"], ""), ("nodes", lambda r: r["particles"], ",d"),
+               ("tets", lambda r: r["elements"] or None, ",d"), ("spacing mm", lambda r: r["spacing_mm"], ".3f"),
+               ("onset t", lambda r: r["onset_t"], ".4f")]
+    for t in SHOWN:
+        columns += [(f"{heading} t = {t}", lambda r, t=t, key=key: at(r, t)[key], ".3f")
+                    for heading, key in (("area ratio", "area_ratio"), ("volume ratio", "volume_ratio"),
+                                         ("hull index", "gi_hull"), ("sphere index", "gi_sphere"))]
+        columns += [(f"degree t = {t}", lambda r, t=t: r["folds"][str(t)]["dominant_degree"], "d"),
+                    ("wavelength mm", lambda r, t=t: r["folds"][str(t)]["mean_wavelength_mm"], ".2f")]
+    return _runs.table(columns, results)
+
+
+def control_table(results):
+    columns = [("run", lambda r: r["name"], ""), ("most overlap", lambda r: r["most_overlap"], ".1e"),
+               ("inverted tets", lambda r: r["most_inverted"], ".0f"),
+               ("extrapolated tets", lambda r: r["most_extrapolated"], ".0f"),
+               ("zero-mode share", lambda r: r["zero_mode_share"], ".3f"), ("steps", lambda r: r["steps"], ",d"),
+               ("rejected", lambda r: r["rejected_steps"], "d"), ("wall s", lambda r: r["wall_s"], ".0f"),
+               ("ns a tet and step", lambda r: r["ns_per_element_step"], ".1f"), ("threads", lambda r: r["threads"], "d")]
+    return _runs.table(columns, results)
+
+
+def lineage_table(results):
+    """Beside the two columns of the Tallinen-lineage run, at its growth times."""
+    lines = ["| growth | run | area mm2 | volume mm3 | area / hull |", "| ---: | --- | ---: | ---: | ---: |"]
+    for tau, coarse, fine in reference.LINEAGE:
+        for name, values in (("lineage, 100,265 tets", coarse), ("lineage, 253,137 tets", fine)):
+            lines.append("| {:.3f} | {} | {:,.0f} | {:,.0f} | {:.3f} |".format(tau, name, *values))
+        for result in results:
+            m = at(result, tau)
+            lines.append(f"| {tau:.3f} | {result['name']} | {m['area_mm2']:,.0f} | {m['volume_mm3']:,.0f} | {m['gi_hull']:.3f} |")
+    return "\n".join(lines) + "\n"
+
+
+def table_6(results):
+    """Thesis Table 6 with the finest runs of ours beside it."""
+    lines = ["| | area mm2 | volume mm3 | area / volume 1/mm | index (area / hull) | reached t |",
+             "| --- | ---: | ---: | ---: | ---: | ---: |"]
+    lines += ["| {} | {:,.2f} | {:,.2f} | {:.2f} | {:.2f} | {} |".format(*row) for row in reference.TABLE_6]
+    for result in results:
+        m = at(result, 1.0)
+        lines.append(f"| ours, {result['name']} | {m['area_mm2']:,.2f} | {m['volume_mm3']:,.2f} | "
+                     f"{m['area_mm2'] / m['volume_mm3']:.2f} | {m['gi_hull']:.2f} | 1 |")
+    return "\n".join(lines) + "\n"
+
+
+def finest(results, case, method):
+    found = [r for r in results if (r["case"], r["method"]) == (case, method)]
+    return max(found, key=lambda r: r["size"], default=None)
+
+
+def plots(results, case, path):
+    chosen = [r for r in results if r["case"] == case]
+    panels = []
+    for title, key in (("area ratio", "area_ratio"), ("volume ratio", "volume_ratio"), ("sphere index", "gi_sphere"),
+                       ("hull index", "gi_hull")):
+        panels.append((title, "t", [(r["name"], [row["t"] for row in r["rows"]], [row[key] for row in r["rows"]], "line")
+                                    for r in chosen]))
+    for t in SHOWN:
+        curves = []
+        for method in ("sph", "fem"):
+            runs = [r for r in chosen if r["method"] == method]
+            curves.append((NAMES[method], [r["spacing_mm"] for r in runs], [at(r, t)["area_ratio"] for r in runs], "points"))
+        panels.append((f"area ratio at t = {t} against spacing", "spacing mm", [c for c in curves if c[1]]))
+    _plot.write(path, panels)
+
+
+def pictures(arguments, results):
+    """corticle compare of the finest runs of each method."""
+    for case in CASES:
+        sph, fem = (finest(results, case, method) for method in ("sph", "fem"))
+        if not sph or not fem:
+            continue
+        out = arguments.runs / f"compare_{case}"
+        folders = [arguments.runs / f"{case}_{r['method']}_{r['size']}" for r in (sph, fem)]
+        shutil.rmtree(out, ignore_errors=True)
+        done = subprocess.run([str(Path(arguments.command).resolve()), "compare", *map(str, folders), "--out", str(out),
+                               "--time", "0.5", "--time", "1"], check=False, stdout=subprocess.DEVNULL).returncode == 0
+        for picture in sorted(out.glob("*.png")) if done else ():
+            target = arguments.results / "pictures" / f"{case}_{picture.name}"
+            target.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(picture, target)
+        yield case, done
+
+
+def main():
+    arguments = parse_arguments()
+    results = list(results_of(arguments))
+    if not results:
+        sys.exit("no complete run")
+    found = list(verdicts.all_of(results, at, finest))
+    sections = [("Verdicts", verdicts.table(found))]
+    for case, (name, _) in CASES.items():
+        chosen = [r for r in results if r["case"] == case]
+        if chosen:
+            sections += [(f"({case}) {name}: what is measured", convergence_table(chosen)),
+                         (f"({case}) {name}: controls and cost", control_table(chosen))]
+            plots(results, case, arguments.results / f"convergence_{case}.svg")
+            sections.append((f"({case}) {name}: curves", f"![](convergence_{case}.svg)\n"))
+    sections.append(("(b) beside a code of the Tallinen lineage", lineage_table([r for r in results if r["case"] == "b"])))
+    best = [r for r in (finest(results, case, method) for case in CASES for method in ("sph", "fem")) if r]
+    sections.append(("Thesis Table 6", table_6(best)))
+    for case, done in pictures(arguments, results):
+        if done:
+            names = sorted((arguments.results / "pictures").glob(f"{case}_*.png"))
+            sections.append((f"({case}) finest of each, side by side (TL-SPH left)",
+                             "\n\n".join(f"![](pictures/{name.name})" for name in names) + "\n"))
+    stored = [{key: value for key, value in r.items() if key != "rows"} | {"at": {str(t): at(r, t) for t in SHOWN}}
+              for r in results]
+    _runs.write_results(arguments.results, "Particles and finite elements on the same sphere", stored, sections)
+    _runs.finish(what for verdict, what in found if verdict == "DIFFERS")
+
+
+main()
