@@ -196,15 +196,15 @@ Body body_of(const RunRequest& request)
 void log_body(spdlog::logger& log, const Body& body)
 {
     const std::string nodes =
-        fmt::format("{}, {} of them on the surface, spacing {:.4g} mm", body.cloud.positions.size(),
-                    body.cloud.surface_particles.size(), body.cloud.spacing);
+        fmt::format("{} {}, {} of them on the surface, spacing {:.4g} mm", body.cloud.positions.size(),
+                    body.fem ? "nodes" : "particles", body.cloud.surface_particles.size(), body.cloud.spacing);
     if (body.fem)
     {
-        log.info("{} tets, nodes {}", body.fem->elements.tets.size(), nodes);
+        log.info("{} tets, {}", body.fem->elements.tets.size(), nodes);
     }
     else
     {
-        log.info("particles {}, {:.1f} neighbours, {} pairs dropped because they do not see each other", nodes,
+        log.info("{}, {:.1f} neighbours, {} pairs dropped because they do not see each other", nodes,
                  body.report.neighbors_mean, body.report.visibility.dropped_pairs);
     }
     for (const std::string& note : body.report.notes)
