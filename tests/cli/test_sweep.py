@@ -246,6 +246,7 @@ def zipped(bench):
     """Zipped axes, ranges, settings from the command line, a reference by values."""
     sweep = """base = "base.toml"
 reference = { solver.cfl = 0.2 }
+compare_t = [0.015, 1.0]
 pictures = false
 [set]
 tissue.mu_white = 1.5
@@ -274,6 +275,8 @@ values = ["smooth", "binary"]
     bench.check(got == expected, f"runs {got}")
     for row in table:
         bench.check(row["reference"] == f"cfl-0.2_mu_cortex-1_layer-{row['tissue.layer']}", f"reference {row['reference']}")
+        times = (float(row["md_J_t@0.015"]), float(row["md_J_t@1"]))
+        bench.check(times == (0.01, 0.02), f"{row['name']}: J compared at {times}")
         case = (bench.folder / "S" / row["folder"] / "case.toml").read_text(encoding="utf-8")
         bench.check("mu_white = 1.5" in case and "particles = 500" in case, f"{row['name']}: settings are not in its case")
 
@@ -333,6 +336,8 @@ def refusals(bench):
     refused("[[axis]]\nkey = \"solver.cfl\"", "[set]\nsolver.cfl = 0.4\n[[axis]]\nkey = \"solver.cfl\"", "solver.cfl", "[set]")
     refused("[[axis]]\nkey = \"solver.cfl\"", "[set]\ntissue.lambda = 0.5\n[[axis]]\nkey = \"solver.cfl\"",
             "run cfl-0.3_particles-600", "tissue.lambda")
+    refused("", "compare_t = [0.2, 0.1]\n", "compare_t", "increasing")
+    refused("", "compare_t = \"end\"\n", "compare_t", "sweep.toml:1")
     refused("", "colour = 1\n", "colour", "sweep.toml:1")
     refused("", "axis = 3\n", "sweep.toml")
     refused("values = [0.3, 0.6]", "values = [0.3, 0.6]\n[[line]]\naxis = \"a\"\nmeasure = \"b\"\nlabel = \"c\"", "line")

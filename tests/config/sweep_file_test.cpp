@@ -118,7 +118,7 @@ TEST_F(SweepRuns, TheLastAxisIsTheFastest)
 {
     const SweepFile sweep = parse("[[axis]]\nkey = \"solver.cfl\"\nvalues = [0.1, 0.2]\n"
                                   "[[axis]]\nkey = \"solver.zeta\"\nvalues = [0.3, 0.4]\n");
-    const std::vector<SweepRun> runs = sweep_runs(sweep, {});
+    const std::vector<SweepRun> runs = sweep_runs(sweep);
     ASSERT_EQ(runs.size(), 4u);
     EXPECT_EQ(runs[1].name, "cfl-0.1_zeta-0.4");
     EXPECT_EQ(runs[2].options.dynamics.cfl, 0.2);
@@ -128,17 +128,29 @@ TEST_F(SweepRuns, TheLastAxisIsTheFastest)
 
 TEST_F(SweepRuns, ASpacingReplacesTheParticlesOfTheBase)
 {
-    const std::vector<SweepRun> runs =
-        sweep_runs(parse("[[axis]]\nkey = \"geometry.spacing_mm\"\nvalues = [1.0]\n"), {});
+    const std::vector<SweepRun> runs = sweep_runs(parse("[[axis]]\nkey = \"geometry.spacing_mm\"\nvalues = [1.0]\n"));
     EXPECT_FALSE(runs.front().options.geometry.particles);
     EXPECT_EQ(runs.front().options.geometry.spacing_mm, 1.0);
+}
+
+TEST_F(SweepRuns, ASettingOfTheCommandLineReplacesThatOfTheFile)
+{
+    SweepFile sweep = parse("[set]\ntime.end = 0.5\n[[axis]]\nkey = \"solver.cfl\"\nvalues = [0.1]\n");
+    change_settings(sweep, std::vector<std::string>{"time.end=0.25"});
+    EXPECT_THAT(sweep.settings, ElementsAre("time.end=0.25"));
+    EXPECT_EQ(sweep_runs(sweep).front().options.time.end, 0.25);
+    EXPECT_THROW(change_settings(sweep, std::vector<std::string>{"solver.cfl=0.2"}), InputError);
 }
 
 TEST_F(SweepRuns, IdentityLeavesOutWhatChangesNoNumber)
 {
     const SweepFile sweep = parse("[[axis]]\nkey = \"solver.cfl\"\nvalues = [0.1]\n");
     const auto identity = [&](const std::string& setting)
-    { return case_identity(sweep_runs(sweep, std::vector{setting}).front().options); };
+    {
+        SweepFile changed = sweep;
+        change_settings(changed, std::vector{setting});
+        return case_identity(sweep_runs(changed).front().options);
+    };
     EXPECT_EQ(identity("output.pictures=\"off\""), identity("output.checkpoint_minutes=1"));
     EXPECT_NE(identity("output.count=7"), identity("output.count=8"));
     EXPECT_NE(identity("time.end=0.5"), identity("time.end=0.6"));
@@ -148,7 +160,7 @@ TEST_F(SweepRuns, ReferencesByValuesKeepTheOtherAxes)
 {
     SweepFile sweep = parse("reference = { solver.cfl = 0.2 }\n[[axis]]\nkey = \"solver.cfl\"\nvalues = [0.1, 0.2]\n"
                             "[[axis]]\nkey = \"solver.zeta\"\nvalues = [0.3, 0.4]\n");
-    const std::vector<SweepRun> runs = sweep_runs(sweep, {});
+    const std::vector<SweepRun> runs = sweep_runs(sweep);
     EXPECT_THAT(given_references(sweep, runs), ElementsAre(2u, 3u, 2u, 3u));
     sweep.reference.kind = SweepReference::Kind::number;
     sweep.reference.number = 5;
@@ -159,7 +171,7 @@ TEST_F(SweepRuns, OnlyTakesNumbersNamesAndValues)
 {
     const SweepFile sweep = parse("[[axis]]\nkey = \"solver.cfl\"\nvalues = [0.1, 1]\n"
                                   "[[axis]]\nkey = \"solver.zeta\"\nvalues = [0.3, 0.4]\n");
-    const std::vector<SweepRun> runs = sweep_runs(sweep, {});
+    const std::vector<SweepRun> runs = sweep_runs(sweep);
     const auto chosen = [&](std::vector<std::string> only) { return chosen_runs(sweep, runs, only); };
     EXPECT_THAT(chosen({}), ElementsAre(true, true, true, true));
     EXPECT_THAT(chosen({"2", "cfl-0.1_zeta-0.3"}), ElementsAre(true, true, false, false));

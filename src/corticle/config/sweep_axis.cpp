@@ -277,6 +277,7 @@ void join(SweepAxis& axis, const WrittenAxis& written)
     if (!written.names.empty())
     {
         axis.names = written.names;
+        axis.labels = written.names;
         axis.has_given_names = true;
     }
 }
@@ -289,15 +290,18 @@ void name_places(SweepAxis& axis, const std::map<std::string, int>& uses, const 
         for (const std::vector<Value>& values : axis.values)
         {
             std::string name;
+            std::string label;
             for (std::size_t k = 0; k < axis.keys.size(); ++k)
             {
                 const std::string last = find_parameter(axis.keys[k])->name();
+                label += (k == 0 ? "" : ", ") + name_of(values[k]);
                 name += fmt::format("{}{}-{}", k == 0 ? "" : "_", uses.at(last) > 1 ? axis.keys[k] : last,
                                     name_of(values[k]));
             }
             std::ranges::replace_if(
                 name, [](char c) { return !is_plain(c) && c != '_'; }, '-');
             axis.names.push_back(name);
+            axis.labels.push_back(label);
         }
     }
     std::vector<std::string> sorted = axis.names;

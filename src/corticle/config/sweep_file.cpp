@@ -20,6 +20,7 @@ namespace
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_measures = 100;
+constexpr std::size_t most_times = 20;
 
 /// What is shown of a run where the sweep does not say.
 constexpr std::array default_measures{"particles", "neighbours_mean", "area_ratio", "gi_hull",
@@ -98,6 +99,23 @@ std::vector<std::string> read_texts(const TomlNode& node, const SweepPlace& plac
         texts.push_back(sweep_text(child, place));
     }
     return texts;
+}
+
+/// One growth time or a list of them.
+std::vector<double> read_times(const TomlNode& node, const SweepPlace& place)
+{
+    std::vector<double> times;
+    const std::vector<TomlNode> single{node};
+    for (const TomlNode& child : node.kind == TomlNode::Kind::list ? node.children : single)
+    {
+        times.push_back(sweep_number(child, place));
+    }
+    if (times.empty() || times.size() > most_times || !std::ranges::is_sorted(times, std::ranges::less_equal{}))
+    {
+        throw InputError(fmt::format("{} ({}): got {}, expected a growth time or at most {} of them, increasing",
+                                     node.key, place.at(node), describe(node.value), most_times));
+    }
+    return times;
 }
 
 SweepMeasure measure_of(const std::string& text, const std::string& where)
@@ -231,7 +249,7 @@ void SweepReader::read(const TomlNode& node)
     }
     else if (node.key == "compare_t")
     {
-        sweep_.compare_t = sweep_number(node, place_);
+        sweep_.compare_t = read_times(node, place_);
     }
     else if (node.key == "line")
     {

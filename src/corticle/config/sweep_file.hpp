@@ -17,7 +17,8 @@ struct SweepAxis
 {
     std::vector<std::string> keys;          ///< at least one; those of zipped axes together
     std::vector<std::vector<Value>> values; ///< of each place on the axis one value for each key
-    std::vector<std::string> names;         ///< of the places, in names of runs and captions
+    std::vector<std::string> names;         ///< of the places, in names of runs and captions: "cfl-0.4"
+    std::vector<std::string> labels;        ///< the same without the keys: "0.4"
     bool has_given_names = false;           ///< the names were chosen by the user
     bool is_log = false;                    ///< its plots have a logarithmic axis
 
@@ -71,7 +72,7 @@ struct SweepFile
     SweepReference reference;
     std::vector<SweepMeasure> measures; ///< columns of the table
     std::vector<std::string> plots;     ///< of these, those that are drawn against the axes
-    std::optional<double> compare_t;    ///< J is compared at the last common output time not after this; none: any
+    std::vector<double> compare_t; ///< J is compared at the last common output time not after each; empty: the last
     std::vector<SweepLine> lines;
     bool has_pictures = true;
 };

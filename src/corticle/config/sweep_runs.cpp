@@ -37,23 +37,10 @@ std::optional<AxisKey> find_axis(const SweepFile& sweep, std::string_view key)
     return std::nullopt;
 }
 
-void check_overrides(const SweepFile& sweep, std::span<const std::string> overrides)
-{
-    for (const std::string& text : overrides)
-    {
-        const std::string key = text.substr(0, text.find('='));
-        if (find_axis(sweep, key))
-        {
-            throw InputError(fmt::format("--set {}: {} is on an axis of the sweep; expected another key, or --only",
-                                         printable(text), key));
-        }
-    }
-}
-
-SweepRun make_run(const SweepFile& sweep, const std::string& base_text, std::vector<std::string> overrides,
-                  std::vector<std::size_t> at)
+SweepRun make_run(const SweepFile& sweep, const std::string& base_text, std::vector<std::size_t> at)
 {
     SweepRun run;
+    std::vector<std::string> overrides = sweep.settings;
     for (std::size_t axis = 0; axis < at.size(); ++axis)
     {
         const SweepAxis& described = sweep.axes[axis];
@@ -182,17 +169,29 @@ std::size_t reference_by_values(const SweepFile& sweep, std::span<const SweepRun
 
 } // namespace
 
-std::vector<SweepRun> sweep_runs(const SweepFile& sweep, std::span<const std::string> overrides)
+void change_settings(SweepFile& sweep, std::span<const std::string> overrides)
 {
-    check_overrides(sweep, overrides);
+    const auto key_of = [](const std::string& text) { return text.substr(0, text.find('=')); };
+    for (const std::string& text : overrides)
+    {
+        if (find_axis(sweep, key_of(text)))
+        {
+            throw InputError(fmt::format("--set {}: {} is on an axis of the sweep; expected another key, or --only",
+                                         printable(text), key_of(text)));
+        }
+        std::erase_if(sweep.settings, [&](const std::string& earlier) { return key_of(earlier) == key_of(text); });
+        sweep.settings.push_back(text);
+    }
+}
+
+std::vector<SweepRun> sweep_runs(const SweepFile& sweep)
+{
     const std::string base_text = read_case_text(sweep.base);
-    std::vector<std::string> settings = sweep.settings;
-    settings.insert(settings.end(), overrides.begin(), overrides.end());
     std::vector<SweepRun> runs;
     std::vector<std::size_t> at(sweep.axes.size(), 0);
     do
     {
-        runs.push_back(make_run(sweep, base_text, settings, at));
+        runs.push_back(make_run(sweep, base_text, at));
     } while (advance(sweep, at));
     return runs;
 }

@@ -20,10 +20,13 @@ struct SweepRun
     std::string case_text; ///< resolved, see to_toml
 };
 
-/// All runs, the last axis fastest. `overrides` ("section.key=value") come on top of [set].
-/// @throws InputError when the base cannot be read, a case is not valid (naming the run), or an override changes the
-/// key of an axis
-std::vector<SweepRun> sweep_runs(const SweepFile& sweep, std::span<const std::string> overrides);
+/// Adds settings ("section.key=value"), in place of those of the same key.
+/// @throws InputError for the key of an axis
+void change_settings(SweepFile& sweep, std::span<const std::string> overrides);
+
+/// All runs, the last axis fastest.
+/// @throws InputError when the base cannot be read, or a case is not valid (naming the run)
+std::vector<SweepRun> sweep_runs(const SweepFile& sweep);
 
 /// What makes two runs give the same numbers: the resolved case without the keys that only decide about pictures and
 /// checkpoints.

@@ -174,7 +174,8 @@ void fill_chart(vtkChartXY* chart, const Panel& panel)
     // Points on the edge of a panel would be cut in half.
     const bool has_points = std::any_of(panel.curves.begin(), panel.curves.end(),
                                         [](const Curve& curve) { return curve.is_points || curve.is_marked; });
-    const Range shown_x = x_range.widened(has_points ? 0.04 : 0.0);
+    const double margin = panel.x_ticks.empty() ? 0.04 : 0.12; // words at the ends need more room than numbers
+    const Range shown_x = x_range.widened(has_points ? margin : 0.0);
     style_axis(chart->GetAxis(vtkAxis::BOTTOM), panel.x_label, shown_x);
     if (!panel.x_ticks.empty())
     {

@@ -43,7 +43,7 @@ constexpr int bar_left = 1450;
 constexpr int samples = 2; // each pixel is the mean of 2 x 2
 
 constexpr int tile_picture = 380; // of a grid
-constexpr int tile_caption = 36;
+constexpr int tile_caption = 48;
 constexpr int tile_width = 400;
 constexpr int tile_height = tile_picture + tile_caption + 4;
 constexpr int bar_room = 150;
@@ -214,6 +214,16 @@ std::vector<vtkSmartPointer<vtkImageData>> draw_surface(std::span<const Vec3> po
                       views, panel_size);
 }
 
+/// Of a caption, so that its first line fits a tile [px].
+int caption_size(const std::string& caption)
+{
+    constexpr std::size_t largest = 16;
+    constexpr std::size_t smallest = 9;
+    constexpr std::size_t fitting = 40; // characters of the largest
+    const std::size_t length = std::min(caption.find('\n'), caption.size());
+    return static_cast<int>(length <= fitting ? largest : std::max(smallest, largest * fitting / length));
+}
+
 /// Middle and half of the width of the bulk of the points: where a few have left the body, a box about all would show
 /// little of it.
 std::pair<Vec3, double> bulk_of(std::span<const Vec3> points)
@@ -325,7 +335,8 @@ void render_surface_grid(const std::filesystem::path& png, std::size_t count, st
             const auto pictures = draw_views(body, center, half_width, {views.data(), 1}, tile_picture);
             add_image(page, pictures.front(), left + (tile_width - tile_picture) / 2, bottom + tile_caption);
         }
-        add_text(page, one.caption, left + 0.5 * tile_width, bottom + 0.5 * tile_caption, {.size = 16});
+        add_text(page, one.caption, left + 0.5 * tile_width, bottom + 0.5 * tile_caption,
+                 {.size = caption_size(one.caption)});
     }
     add_text(page, title, 0.5 * width, height - 0.5 * title_height, {.size = 24, .is_bold = true});
     add_color_bar(page, scale, width - bar_room + 10, 0.5 * (height - title_height) - 0.5 * tile_picture + 20,

@@ -37,8 +37,8 @@ SweepTable plan_sweep(const SweepRequest& request)
 {
     SweepTable table;
     table.sweep = read_sweep(request.file);
-    table.runs = sweep_runs(table.sweep, request.overrides);
-    table.sweep.settings.insert(table.sweep.settings.end(), request.overrides.begin(), request.overrides.end());
+    change_settings(table.sweep, request.overrides);
+    table.runs = sweep_runs(table.sweep);
     table.out = fs::absolute(request.out).lexically_normal();
     require_known_measures(table.sweep);
     given_references(table.sweep, table.runs); // refuses a reference to no run before anything is made

@@ -24,6 +24,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t most_curves = 7; // as many colours as a plot has
 constexpr std::size_t most_tiles = 60;
 constexpr std::size_t most_columns = 6;
+constexpr std::size_t short_row = 4; // surfaces of a sweep with one axis
 
 /// Where the places of an axis stand in a plot.
 struct Scale
@@ -83,7 +84,7 @@ Scale scale_of(const SweepAxis& axis)
     for (std::size_t i = 0; i < axis.size(); ++i)
     {
         scale.x.push_back(static_cast<double>(i));
-        scale.ticks.emplace_back(scale.x.back(), axis.names[i]);
+        scale.ticks.emplace_back(scale.x.back(), axis.labels[i]);
     }
     return scale;
 }
@@ -102,13 +103,35 @@ std::string other_places(const SweepTable& table, const SweepRow& row, std::size
     return name;
 }
 
-/// A quantity against an axis: a curve for each combination of the other axes, through the runs that completed, and
-/// points for the other runs.
+/// One curve of points for all of them, where there are more than colours.
+void gather_if_many(std::vector<Curve>& curves)
+{
+    if (curves.size() <= most_curves)
+    {
+        return;
+    }
+    Curve all{"", {}, {}, true};
+    for (const Curve& curve : curves)
+    {
+        all.x.insert(all.x.end(), curve.x.begin(), curve.x.end());
+        all.y.insert(all.y.end(), curve.y.begin(), curve.y.end());
+    }
+    curves = {all};
+}
+
+bool is_completed(const SweepRow& row)
+{
+    return row.state.status == "completed";
+}
+
+/// A quantity against an axis: a curve for each combination of the other axes, and marks on the runs that failed among
+/// others that did not.
 template <class Quantity>
 Panel panel_of(const SweepTable& table, std::size_t axis, const Scale& scale, std::string label, Quantity&& quantity)
 {
+    const bool is_marked = std::ranges::any_of(table.rows, is_completed);
     std::vector<Curve> curves;
-    Curve failed{"not completed", {}, {}, true};
+    Curve failed{"did not complete", {}, {}, true};
     for (const SweepRow& row : table.rows)
     {
         const std::string name = other_places(table, row, axis);
@@ -117,25 +140,20 @@ Panel panel_of(const SweepTable& table, std::size_t axis, const Scale& scale, st
         {
             curve = curves.insert(curves.end(), Curve{name, {}, {}, false, true});
         }
-        Curve& chosen = row.state.status == "completed" ? *curve : failed;
-        chosen.x.push_back(scale.x[table.runs[row.run].at[axis]]);
-        chosen.y.push_back(quantity(row));
-    }
-    if (curves.size() > most_curves)
-    {
-        Curve all{"all runs", {}, {}, true};
-        for (const Curve& curve : curves)
+        for (Curve* chosen : {&*curve, is_marked && !is_completed(row) ? &failed : nullptr})
         {
-            all.x.insert(all.x.end(), curve.x.begin(), curve.x.end());
-            all.y.insert(all.y.end(), curve.y.begin(), curve.y.end());
+            if (chosen != nullptr && std::isfinite(quantity(row)))
+            {
+                chosen->x.push_back(scale.x[table.runs[row.run].at[axis]]);
+                chosen->y.push_back(quantity(row));
+            }
         }
-        curves = {all};
     }
-    std::erase_if(curves, [](const Curve& curve) { return curve.x.empty(); });
+    gather_if_many(curves);
     for (Curve& curve : curves)
     {
         curve.is_points = curve.is_points || curve.x.size() == 1;
-        curve.label = curve.label.empty() ? "completed" : curve.label;
+        curve.label = curve.label.empty() ? "runs" : curve.label;
     }
     if (!failed.x.empty())
     {
@@ -207,7 +225,6 @@ std::optional<Frame> last_frame(const SweepTable& table, const SweepRow& row)
 ColorScale common_scale(const SweepTable& table, std::span<const SweepRow> rows)
 {
     ColorScale common{"J = det F", 1e300, -1e300};
-    const auto is_completed = [](const SweepRow& row) { return row.state.status == "completed"; };
     const bool any = std::ranges::any_of(rows, is_completed);
     for (const SweepRow& row : rows)
     {
@@ -220,6 +237,17 @@ ColorScale common_scale(const SweepTable& table, std::span<const SweepRow> rows)
         }
     }
     return common;
+}
+
+/// Of several axes the last one goes from left to right; a single one is broken into rows.
+std::size_t column_count(const SweepTable& table, std::size_t tiles)
+{
+    if (table.sweep.axes.size() > 1)
+    {
+        return std::clamp<std::size_t>(table.sweep.axes.back().size(), 1, most_columns);
+    }
+    const std::size_t rows = (tiles + short_row - 1) / short_row;
+    return (tiles + rows - 1) / rows;
 }
 
 /// surfaces.png; false where no run has a surface.
@@ -238,15 +266,13 @@ bool draw_surfaces(const SweepTable& table)
         std::optional<Frame> frame = last_frame(table, row);
         if (!frame)
         {
-            return {name + ": " + row.state.status, {}, {}, {}};
+            return {name + "\n" + row.state.status, {}, {}, {}};
         }
-        return {fmt::format("{}, t = {:.4g}{}", name, frame->t,
-                            row.state.status == "completed" ? "" : " (" + row.state.status + ")"),
+        return {fmt::format("{}\nt = {:.4g}{}", name, frame->t, is_completed(row) ? "" : ", " + row.state.status),
                 std::move(frame->surface), std::move(frame->triangles), std::move(frame->surface_J)};
     };
-    const std::size_t last = table.sweep.axes.size() > 1 ? table.sweep.axes.back().size() : rows.size();
-    render_surface_grid(table.out / "surfaces.png", rows.size(), std::clamp<std::size_t>(last, 1, most_columns), tile,
-                        scale, table.sweep.title + ": surfaces at the last output time, from above");
+    render_surface_grid(table.out / "surfaces.png", rows.size(), column_count(table, rows.size()), tile, scale,
+                        table.sweep.title + ": surfaces at the last output time, from above");
     return true;
 }
 

@@ -46,6 +46,12 @@ std::string plain_text(const Value& value)
     return text != nullptr ? *text : real != nullptr ? fmt::format("{}", *real) : toml_text(value);
 }
 
+/// How often J of a run is compared.
+std::size_t comparison_count(const SweepFile& sweep)
+{
+    return std::max<std::size_t>(1, sweep.compare_t.size());
+}
+
 /// For each axis its keys, or where its places have given names one column of names.
 std::vector<std::string> axis_columns(const SweepFile& sweep)
 {
@@ -97,7 +103,7 @@ std::string runs_table(const SweepTable& table)
         header.push_back(fmt::format("`{}`", measure.text));
     }
     const bool is_compared = table.sweep.reference.kind != SweepReference::Kind::none;
-    if (is_compared)
+    for (std::size_t k = 0; is_compared && k < comparison_count(table.sweep); ++k)
     {
         header.insert(header.end(), {"MD of J", "at t", "its interpolation error"});
     }
@@ -114,10 +120,12 @@ std::string runs_table(const SweepTable& table)
         {
             cells.push_back(table_number(value));
         }
-        if (is_compared)
+        for (std::size_t k = 0; is_compared && k < comparison_count(table.sweep); ++k)
         {
-            cells.insert(cells.end(), {row.reference == table.runs[row.run].name ? "reference" : table_number(row.md_J),
-                                       table_number(row.md_J_t), table_number(row.md_J_error)});
+            const JDifference J = k < row.J.size() ? row.J[k] : JDifference{};
+            const bool is_reference = row.reference == table.runs[row.run].name;
+            cells.insert(cells.end(),
+                         {is_reference ? "reference" : table_number(J.mean), table_number(J.t), table_number(J.error)});
         }
         rows.push_back(std::move(cells));
     }
@@ -151,7 +159,8 @@ std::string reference_text(const SweepTable& table)
         "time{} that both have. Where the points differ J is interpolated; differences below the "
         "interpolation error say nothing.\n\n",
         is_one ? "run " + markdown_cell(named->reference) : "the run with the values of the reference",
-        table.sweep.compare_t ? fmt::format(" up to t = {}", *table.sweep.compare_t) : "");
+        table.sweep.compare_t.empty() ? ""
+                                      : fmt::format(" up to t = {}", fmt::join(table.sweep.compare_t, " and up to ")));
 }
 
 Json number_json(double value)
@@ -202,9 +211,12 @@ Json row_json(const SweepTable& table, const SweepRow& row)
         json["measures"][table.sweep.measures[i].text] = number_json(row.measures[i]);
     }
     json["reference"] = row.reference.empty() ? Json(nullptr) : Json(row.reference);
-    json["md_J"] = number_json(row.md_J);
-    json["md_J_t"] = number_json(row.md_J_t);
-    json["md_J_interpolation_error"] = number_json(row.md_J_error);
+    json["md_J"] = Json::array();
+    for (const JDifference& J : row.J)
+    {
+        json["md_J"].push_back(
+            {{"t", number_json(J.t)}, {"mean", number_json(J.mean)}, {"interpolation_error", number_json(J.error)}});
+    }
     json["summary"] = row.state.numbers;
     return json;
 }
@@ -224,7 +236,12 @@ std::string sweep_csv(const SweepTable& table)
         text += ',';
         text += csv_field(measure.text);
     }
-    text += ",md_J,md_J_t,md_J_interpolation_error,reference,folder,reason\n";
+    for (std::size_t k = 0; k < comparison_count(table.sweep); ++k)
+    {
+        const std::string at = table.sweep.compare_t.empty() ? "" : fmt::format("@{}", table.sweep.compare_t[k]);
+        text += fmt::format(",md_J{0},md_J_t{0},md_J_interpolation_error{0}", at);
+    }
+    text += ",reference,folder,reason\n";
     for (const SweepRow& row : table.rows)
     {
         const SweepRun& run = table.runs[row.run];
@@ -240,7 +257,11 @@ std::string sweep_csv(const SweepTable& table)
         text += "," + row.state.status;
         std::vector<double> numbers{row.number("wall_s"), row.step_s(), row.number("steps"), row.number("t")};
         numbers.insert(numbers.end(), row.measures.begin(), row.measures.end());
-        numbers.insert(numbers.end(), {row.md_J, row.md_J_t, row.md_J_error});
+        for (std::size_t k = 0; k < comparison_count(table.sweep); ++k)
+        {
+            const JDifference J = k < row.J.size() ? row.J[k] : JDifference{};
+            numbers.insert(numbers.end(), {J.mean, J.t, J.error});
+        }
         for (const double value : numbers)
         {
             text += ',';

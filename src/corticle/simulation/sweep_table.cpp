@@ -49,20 +49,16 @@ std::optional<std::size_t> finest_run(const SweepTable& table)
     return best;
 }
 
-void compare_to(const SweepTable& table, SweepRow& row, const SweepRow& reference)
+JDifference difference(const std::array<std::filesystem::path, 2>& folders, double latest)
 {
-    row.reference = table.runs[reference.run].name;
     try
     {
-        const double latest = table.sweep.compare_t.value_or(std::numeric_limits<double>::infinity());
-        const JComparison found = compare_last_J({table.out / reference.folder, table.out / row.folder}, latest);
-        row.md_J = found.J.mean;
-        row.md_J_t = found.t[1];
-        row.md_J_error = found.J.is_interpolated ? found.J.interpolation_error : 0.0;
+        const JComparison found = compare_last_J(folders, latest);
+        return {found.J.mean, found.t[1], found.J.interpolation_error};
     }
     catch (const InputError&)
     {
-        // One of them has no output time yet: nothing is compared.
+        return {}; // one of them has no such output time
     }
 }
 
@@ -113,11 +109,24 @@ void compare_to_references(SweepTable& table)
     const std::vector<std::optional<std::size_t>> given = given_references(table.sweep, table.runs);
     const std::optional<std::size_t> finest =
         table.sweep.reference.kind == SweepReference::Kind::finest ? finest_run(table) : std::nullopt;
+    std::vector<double> latest = table.sweep.compare_t;
+    if (latest.empty())
+    {
+        latest.push_back(std::numeric_limits<double>::infinity());
+    }
     for (SweepRow& row : table.rows)
     {
-        if (const auto reference = finest ? finest : given[row.run])
+        const std::optional<std::size_t> number = finest ? finest : given[row.run];
+        if (!number)
         {
-            compare_to(table, row, table.rows[*reference]);
+            continue;
+        }
+        const SweepRow& reference = table.rows[*number];
+        row.reference = table.runs[reference.run].name;
+        row.J.clear();
+        for (const double t : latest)
+        {
+            row.J.push_back(difference({table.out / reference.folder, table.out / row.folder}, t));
         }
     }
 }

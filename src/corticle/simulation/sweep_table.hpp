@@ -7,6 +7,14 @@
 namespace corticle
 {
 
+/// How far J of a run is from that of its reference run.
+struct JDifference
+{
+    double mean = std::numeric_limits<double>::quiet_NaN();  ///< thesis eq. 27
+    double t = std::numeric_limits<double>::quiet_NaN();     ///< growth time at which it was taken
+    double error = std::numeric_limits<double>::quiet_NaN(); ///< of interpolation; 0 where the points are the same
+};
+
 /// What is told of one run of a sweep.
 struct SweepRow
 {
@@ -16,9 +24,7 @@ struct SweepRow
     bool is_kept = false;         ///< finished before this call
     std::vector<double> measures; ///< as many as the sweep has; not a number where there is none
     std::string reference;        ///< name of the run that J is compared to; empty: none
-    double md_J = std::numeric_limits<double>::quiet_NaN();       ///< mean difference of J (thesis eq. 27)
-    double md_J_t = std::numeric_limits<double>::quiet_NaN();     ///< growth time at which it was taken
-    double md_J_error = std::numeric_limits<double>::quiet_NaN(); ///< of interpolation, where points differ
+    std::vector<JDifference> J;   ///< from that run: at each compare_t of the sweep, or once
 
     /// A number of summary.json; not a number where there is none.
     double number(const std::string& key) const;
