@@ -92,13 +92,6 @@ std::vector<VertexTriangle> close_vertex_triangles(std::span<const Vec3> x, std:
         });
 }
 
-/// Whether the balls about two segments are more than `range` apart: most pairs of overlapping boxes are.
-bool far_apart(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double range)
-{
-    const double reach = 0.5 * (norm(b - a) + norm(d - c)) + range;
-    return 0.25 * squared_norm(a + b - c - d) > reach * reach;
-}
-
 std::vector<EdgeEdge> close_edge_edges(std::span<const Vec3> x, std::span<const Edge> edges, double range, double cell)
 {
     const std::vector<Box> boxes = bounding_boxes(x, edges, 0.5 * range);
@@ -124,10 +117,6 @@ std::vector<EdgeEdge> close_edge_edges(std::span<const Vec3> x, std::span<const 
                                const Vec3 b = at(x, e[1]);
                                const Vec3 c = at(x, o[0]);
                                const Vec3 d = at(x, o[1]);
-                               if (far_apart(a, b, c, d, range))
-                               {
-                                   return;
-                               }
                                const auto [s, t] = closest_of_segments(a, b, c, d);
                                const double squared = squared_norm(a + s * (b - a) - c - t * (d - c));
                                if (squared < range * range)
