@@ -17,8 +17,7 @@ constexpr std::int32_t none_left = std::numeric_limits<std::int32_t>::max();
 
 using Entries = std::array<std::int64_t, NeighborGroups::size>;
 
-/// Walks the neighbour lists of a group side by side: visit(j, entries), where entries[lane] is the pair of
-/// the particle with j, or -1.
+/// Walks the neighbour lists of a group side by side: visit(j, entries), where entries[lane] is the pair with j, or -1.
 template <class Visit>
 void merge_lists(const PairBlocks& pairs, std::int64_t group, Visit&& visit)
 {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/base/lanes.hpp"
 #include "corticle/base/mat3.hpp"
 #include "corticle/tlsph/pair_blocks.hpp"
 
@@ -14,7 +13,6 @@
 namespace corticle
 {
 
-using Octet = double __attribute__((vector_size(64)));
 using FloatOctet = float __attribute__((vector_size(32)));
 
 /// Neighbours of groups of eight consecutive particles.
@@ -33,6 +31,7 @@ struct NeighborGroups
     }
 };
 
+/// Groups the weighted pairs of particles.
 NeighborGroups group_neighbors(const PairBlocks& pairs);
 
 /// What a particle adds to the sums of its neighbours: two cache lines.
@@ -66,7 +65,7 @@ struct NeighborSum
 /// The same of a group.
 struct GroupSum
 {
-    Octet value[SumRecord::used];
+    WideLanes value[SumRecord::used];
 
     CORTICLE_INLINE NeighborSum at(std::int64_t lane) const
     {
@@ -82,12 +81,10 @@ struct GroupSum
 CORTICLE_INLINE void sum_records(const NeighborGroups& groups, std::int64_t group, const SumRecord* records,
                                  GroupSum& sum)
 {
-    Octet total[SumRecord::used] = {};
+    WideLanes total[SumRecord::used] = {};
     for (std::int64_t k = groups.begin[group]; k < groups.begin[group + 1]; ++k)
     {
-        FloatOctet rounded;
-        groups.get_weights(k, rounded);
-        const Octet w = __builtin_convertvector(rounded, Octet);
+        const WideLanes w = widen(groups.weight.data() + NeighborGroups::size * k);
         const double* record = records[groups.index[k]].value;
         for (int c = 0; c < SumRecord::used; ++c)
         {
