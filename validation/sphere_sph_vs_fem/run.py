@@ -35,6 +35,7 @@ CASES = {"a": ("binary layer, K per tissue", []), "b": ("smooth layer, K uniform
 KEYS = {"sph": "geometry.particles", "fem": "solver.elements"}
 NAMES = {"sph": "TL-SPH", "fem": "FEM"}
 SHOWN = (0.5, 1.0)
+STORED = ("area_mm2", "volume_mm3", "area_ratio", "volume_ratio", "gi_hull", "gi_sphere", "J_min", "J_mean", "J_max")
 
 
 def output_times():
@@ -220,7 +221,7 @@ def main():
             names = sorted((arguments.results / "pictures").glob(f"{case}_*.png"))
             sections.append((f"({case}) finest of each, side by side (TL-SPH left)",
                              "\n\n".join(f"![](pictures/{name.name})" for name in names) + "\n"))
-    stored = [{key: value for key, value in r.items() if key != "rows"} | {"at": {str(t): at(r, t) for t in SHOWN}}
+    stored = [{key: value for key, value in r.items() if key != "rows"} | {"at": {str(t): {key: at(r, t)[key] for key in STORED} for t in SHOWN}}
               for r in results]
     _runs.write_results(arguments.results, "Particles and finite elements on the same sphere", stored, sections)
     _runs.finish(what for verdict, what in found if verdict == "DIFFERS")

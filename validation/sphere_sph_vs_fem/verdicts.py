@@ -63,7 +63,7 @@ def against_each_other(results, at, finest):
             if case == "a":
                 onset = run["onset_t"]
                 holds = onset is not None and abs(onset - reference.ONSET_A) <= ONSET
-                yield verdict(holds, f"(a) {run['name']}: onset at t = {onset}, theory {reference.ONSET_A}, within {ONSET}")
+                yield verdict(holds, f"(a) {run['name']}: onset at t = {'none' if onset is None else f'{onset:.3f}'}, theory {reference.ONSET_A}, within {ONSET}")
             yield verdict(run["most_overlap"] < OVERLAP,
                           f"({case}) {run['name']}: overlap up to {run['most_overlap']:.1e}, below {OVERLAP}")
 
