@@ -224,21 +224,23 @@ int caption_size(const std::string& caption)
     return static_cast<int>(length <= fitting ? largest : std::max(smallest, largest * fitting / length));
 }
 
-/// Middle and half of the width of the bulk of the points: where a few have left the body, a box about all would show
-/// little of it.
-std::pair<Vec3, double> bulk_of(std::span<const Vec3> points)
+/// Middle and half of the width of a surface [mm]; of the bulk of its points where a few have left it far behind.
+std::pair<Vec3, double> extent_of(std::span<const Vec3> points)
 {
-    Box box;
+    constexpr double far = 1.5;        // times the bulk
+    constexpr std::size_t share = 200; // one point of so many at each end is no part of the bulk
+    Box bulk;
     std::vector<double> along(points.size());
     for (int axis = 0; axis < 3; ++axis)
     {
         std::ranges::transform(points, along.begin(), [axis](const Vec3& point) { return point[axis]; });
         std::ranges::sort(along);
-        const std::size_t left_out = along.size() / 200;
-        box.low[axis] = along[left_out];
-        box.high[axis] = along[along.size() - 1 - left_out];
+        bulk.low[axis] = along[along.size() / share];
+        bulk.high[axis] = along[along.size() - 1 - along.size() / share];
     }
-    return {box.center(), std::max(1.08 * box.half_width(), std::numeric_limits<double>::min())};
+    const Box all = bounding_box(points);
+    const Box& shown = all.half_width() > far * bulk.half_width() ? bulk : all;
+    return {shown.center(), std::max(1.04 * shown.half_width(), std::numeric_limits<double>::min())};
 }
 
 struct PagePanel
@@ -330,7 +332,7 @@ void render_surface_grid(const std::filesystem::path& png, std::size_t count, st
         const int bottom = (rows - 1 - static_cast<int>(i / columns)) * tile_height;
         if (!one.points.empty())
         {
-            const auto [center, half_width] = bulk_of(one.points);
+            const auto [center, half_width] = extent_of(one.points);
             const vtkNew<vtkActor> body = body_of(polydata_of(one.points, one.triangles, one.scalar), scale);
             const auto pictures = draw_views(body, center, half_width, {views.data(), 1}, tile_picture);
             add_image(page, pictures.front(), left + (tile_width - tile_picture) / 2, bottom + tile_caption);

@@ -118,6 +118,7 @@ std::vector<std::string> summary_number_keys()
                                   "elements",
                                   "threads",
                                   "wall_s",
+                                  "ns_per_element_step",
                                   "us_per_particle_step",
                                   "peak_memory_mb",
                                   "onset_t",

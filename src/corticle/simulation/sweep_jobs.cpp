@@ -4,6 +4,7 @@
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
 #include "corticle/config/case_checks.hpp"
+#include "corticle/config/parameters.hpp"
 #include "corticle/io/folder_lock.hpp"
 #include "corticle/simulation/child_process.hpp"
 #include "corticle/simulation/interruption.hpp"
@@ -28,6 +29,11 @@ namespace
 namespace fs = std::filesystem;
 
 constexpr useconds_t pause_us = 20000; // between looks at the processes
+
+// For estimates of cost.
+constexpr double volume_of_a_file = 8000.0; // [mm³]
+constexpr double elements_per_node = 5.0;
+constexpr double steps_per_crossing = 2.8; // over the particles along the radius and cfl
 
 bool is_locked(const fs::path& folder)
 {
@@ -213,12 +219,20 @@ void Crew::end_all()
 double relative_cost(const Options& options)
 {
     const GeometryOptions& geometry = options.geometry;
-    const double particles = geometry.particles
-                                 ? static_cast<double>(*geometry.particles)
-                                 : std::max(1.0, shape_volume(geometry)) / std::pow(*geometry.spacing_mm, 3.0);
-    const double span = options.time.end - options.time.start;
-    return std::pow(particles, 4.0 / 3.0) * std::pow(options.tlsph.support, 3.0) * options.dynamics.loading_time *
-           std::max(span, 1e-6) / options.dynamics.cfl;
+    const DynamicsOptions& dynamics = options.dynamics;
+    const double volume = shape_volume(geometry) > 0.0 ? shape_volume(geometry) : volume_of_a_file;
+    const double particles = geometry.particles    ? static_cast<double>(*geometry.particles)
+                             : options.elements    ? static_cast<double>(*options.elements) / elements_per_node
+                             : geometry.spacing_mm ? volume / std::pow(*geometry.spacing_mm, 3.0)
+                                                   : static_cast<double>(default_particles);
+    const double spacing = std::cbrt(volume / particles);
+    const double neighbors = std::pow(support_mm(options.tlsph, spacing) / spacing, 3.0);
+    const double span = std::max(options.time.end - options.time.start, 1e-6);
+    const double steps = dynamics.time_step > 0.0
+                             ? span / dynamics.time_step
+                             : span * steps_per_crossing * dynamics.loading_time * std::cbrt(particles) / dynamics.cfl;
+    const double stages = dynamics.integrator == Integrator::rk4 ? 4.0 : 1.0;
+    return particles * neighbors * steps * stages;
 }
 
 bool make_runs(std::span<const SweepJob> jobs, const JobOptions& options,
