@@ -39,7 +39,7 @@ TITLES = {
     "control": "zero-energy control", "contact": "self-contact", "kernel": "kernel of 2.3 spacings", "barrier": "barrier"}
 
 DISPLACEMENT = "thesis.gradient=displacement"
-PICTURES = ("printed", "displacement", "with_barrier", "without_growth", "without_force", "without_kernel")
+PICTURES = ("printed", "displacement", "with_barrier", "without_growth", "without_force")
 LEAST_T = 1.0               # ours gets there
 MOST_PRINTED_T = 0.1        # the thesis's largest time; as printed none gets there
 
