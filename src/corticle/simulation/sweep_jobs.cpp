@@ -6,7 +6,7 @@
 #include "corticle/config/case_checks.hpp"
 #include "corticle/config/parameters.hpp"
 #include "corticle/io/folder_lock.hpp"
-#include "corticle/simulation/child_process.hpp"
+#include "corticle/simulation/command_process.hpp"
 #include "corticle/simulation/interruption.hpp"
 #include "corticle/simulation/sweep_progress.hpp"
 
@@ -102,7 +102,7 @@ class Crew
     {
         std::size_t job;
         int threads;
-        ChildProcess process;
+        CommandProcess process;
     };
 
     void finish(std::size_t job, const RunState& state);
@@ -168,9 +168,10 @@ void Crew::start(std::size_t job, int threads)
     const SweepJob& one = jobs_[job];
     try
     {
-        running_.push_back({job, threads,
-                            ChildProcess({options_.command, "run", one.case_file.string(), "--out", one.folder.string(),
-                                          "--resume", "--quiet", "--threads", std::to_string(threads)})});
+        running_.push_back(
+            {job, threads,
+             CommandProcess({options_.command, "run", one.case_file.string(), "--out", one.folder.string(), "--resume",
+                             "--quiet", "--threads", std::to_string(threads)})});
     }
     catch (const RunError& error)
     {

@@ -20,16 +20,16 @@ struct ProcessEnd
 
 /// A command that runs beside this process, in a process group of its own, so that Ctrl-C reaches only this process.
 /// It gets SIGTERM when this process ends in whatever way. To be started from the main thread.
-class ChildProcess
+class CommandProcess
 {
   public:
     /// @param words  the command and its arguments
     /// @throws RunError when it cannot be started
-    explicit ChildProcess(const std::vector<std::string>& words);
-    ChildProcess(ChildProcess&& other) noexcept;
-    ChildProcess& operator=(ChildProcess&& other) noexcept;
+    explicit CommandProcess(const std::vector<std::string>& words);
+    CommandProcess(CommandProcess&& other) noexcept;
+    CommandProcess& operator=(CommandProcess&& other) noexcept;
     /// Ends it at once if it still runs.
-    ~ChildProcess();
+    ~CommandProcess();
 
     /// How it ended; nothing while it runs.
     std::optional<ProcessEnd> poll();

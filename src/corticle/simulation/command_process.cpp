@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/simulation/child_process.hpp"
+#include "corticle/simulation/command_process.hpp"
 
 #include "corticle/base/error.hpp"
 
@@ -58,7 +58,7 @@ std::string end_of(int file)
 
 } // namespace
 
-ChildProcess::ChildProcess(const std::vector<std::string>& words) : output_(memfd_create("output", MFD_CLOEXEC))
+CommandProcess::CommandProcess(const std::vector<std::string>& words) : output_(memfd_create("output", MFD_CLOEXEC))
 {
     std::vector<char*> pointers;
     for (const std::string& word : words)
@@ -88,19 +88,19 @@ ChildProcess::ChildProcess(const std::vector<std::string>& words) : output_(memf
     }
 }
 
-ChildProcess::ChildProcess(ChildProcess&& other) noexcept
+CommandProcess::CommandProcess(CommandProcess&& other) noexcept
     : id_(std::exchange(other.id_, -1)), output_(std::exchange(other.output_, -1))
 {
 }
 
-ChildProcess& ChildProcess::operator=(ChildProcess&& other) noexcept
+CommandProcess& CommandProcess::operator=(CommandProcess&& other) noexcept
 {
     std::swap(id_, other.id_);
     std::swap(output_, other.output_);
     return *this;
 }
 
-ChildProcess::~ChildProcess()
+CommandProcess::~CommandProcess()
 {
     if (id_ > 0)
     {
@@ -113,7 +113,7 @@ ChildProcess::~ChildProcess()
     }
 }
 
-std::optional<ProcessEnd> ChildProcess::poll()
+std::optional<ProcessEnd> CommandProcess::poll()
 {
     int status = 0;
     if (id_ <= 0 || waitpid(id_, &status, WNOHANG) != id_)
@@ -128,7 +128,7 @@ std::optional<ProcessEnd> ChildProcess::poll()
     return end;
 }
 
-void ChildProcess::terminate() const
+void CommandProcess::terminate() const
 {
     if (id_ > 0)
     {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/simulation/child_process.hpp"
+#include "corticle/simulation/command_process.hpp"
 
 #include "io/temporary_folder.hpp"
 
@@ -15,7 +15,7 @@ namespace corticle
 namespace
 {
 
-ProcessEnd wait_for(ChildProcess& process)
+ProcessEnd wait_for(CommandProcess& process)
 {
     std::optional<ProcessEnd> end;
     for (int i = 0; i < 3000 && !end; ++i)
@@ -28,47 +28,47 @@ ProcessEnd wait_for(ChildProcess& process)
 
 } // namespace
 
-TEST(ChildProcess, TellsStatusAndOutput)
+TEST(CommandProcess, TellsStatusAndOutput)
 {
-    ChildProcess process({"/bin/sh", "-c", "echo said; echo wrong >&2; exit 3"});
+    CommandProcess process({"/bin/sh", "-c", "echo said; echo wrong >&2; exit 3"});
     const ProcessEnd end = wait_for(process);
     EXPECT_EQ(end.status, 3);
     EXPECT_EQ(end.signal, 0);
     EXPECT_EQ(end.output, "said\nwrong\n");
 }
 
-TEST(ChildProcess, TellsTheSignal)
+TEST(CommandProcess, TellsTheSignal)
 {
-    ChildProcess process({"/bin/sh", "-c", "kill -SEGV $$"});
+    CommandProcess process({"/bin/sh", "-c", "kill -SEGV $$"});
     EXPECT_EQ(wait_for(process).signal, SIGSEGV);
-    ChildProcess sleeping({"/bin/sleep", "60"});
+    CommandProcess sleeping({"/bin/sleep", "60"});
     EXPECT_FALSE(sleeping.poll());
     sleeping.terminate();
     EXPECT_EQ(wait_for(sleeping).signal, SIGTERM);
 }
 
-TEST(ChildProcess, KeepsTheEndOfALongOutput)
+TEST(CommandProcess, KeepsTheEndOfALongOutput)
 {
-    ChildProcess process({"/bin/sh", "-c", "head -c 1000000 /dev/zero | tr '\\0' x; echo the end"});
+    CommandProcess process({"/bin/sh", "-c", "head -c 1000000 /dev/zero | tr '\\0' x; echo the end"});
     const ProcessEnd end = wait_for(process);
     EXPECT_EQ(end.output.size(), 4096u);
     EXPECT_TRUE(end.output.ends_with("xthe end\n"));
 }
 
-TEST(ChildProcess, ACommandThatIsNotThereEndsWith127)
+TEST(CommandProcess, ACommandThatIsNotThereEndsWith127)
 {
-    ChildProcess process({"/no/such/command"});
+    CommandProcess process({"/no/such/command"});
     EXPECT_EQ(wait_for(process).status, 127);
 }
 
-TEST(ChildProcess, IsEndedWithItsObject)
+TEST(CommandProcess, IsEndedWithItsObject)
 {
     const TemporaryFolder folder;
     const std::string file = (folder / "id").string();
     pid_t id = 0;
     {
-        ChildProcess process({"/bin/sh", "-c", "echo $$ > " + file + "; exec sleep 60"});
-        const ChildProcess moved = std::move(process);
+        CommandProcess process({"/bin/sh", "-c", "echo $$ > " + file + "; exec sleep 60"});
+        const CommandProcess moved = std::move(process);
         for (int i = 0; i < 3000 && id == 0; ++i)
         {
             usleep(2000);
