@@ -24,6 +24,11 @@ LEAST_RISE = 1.05 # of the hull index: sulci have formed
 REAL_AT_START = {"volume_cm3": 63.0, "length_mm": 64.3, "area_cm2": 113.0, "gi_hull": 1.18}
 LENGTH_TOLERANCE_MM = 3.0 # how well real brains from 23 to 38 weeks follow eq. 16
 
+# Published growth of the volume: supratentorial, 48 scans of weeks 20.6 to 31.1, 15.22 % a week (Scott et al. 2011, Int. J.
+# Dev. Neurosci. 29); whole brain, third trimester, 2.3 ml a day (Gong et al. 1998, Magn. Reson. Imaging 16).
+RATES = {"real": (15.22, 2.3)}
+EARLY, LATE = (23, 31), (28, 38)
+
 SETS = {
     "uniform": ("cortex of 2.5 mm, as in the image, everywhere", []),
     "thinning": ("2.5 mm + 0.3 t, kept in mm while the brain lengthens",
@@ -117,6 +122,26 @@ def start_table(results):
                            ("hull index", "gi_hull", ".3f"))], lines)
 
 
+def rates(result, key):
+    """(% a week in the early span, ml a day in the late one) of a volume."""
+    volumes = {round(line["week"]): line[key] for line in result["weeks"]}
+    if not {*EARLY, *LATE} <= set(volumes):
+        return None
+    weekly = (volumes[EARLY[1]] / volumes[EARLY[0]]) ** (1 / (EARLY[1] - EARLY[0])) - 1
+    return 100 * weekly, (volumes[LATE[1]] - volumes[LATE[0]]) / (7 * (LATE[1] - LATE[0]))
+
+
+def rate_table(results):
+    """Growth of the volume beside what was measured on real brains."""
+    lines = [("real brains (Scott et al. 2011; Gong et al. 1998)", RATES["real"])]
+    for result in results:
+        lines += [(f"{result['name']}", rates(result, "volume_cm3")),
+                  (f"{result['name']}, at the length of eq. 16", rates(result, "law_volume_cm3"))]
+    lines.append(("eq. 16 without a change of shape", rates(results[0], "similar_volume_cm3")))
+    return _runs.table([("", lambda line: line[0], "s"), ("weeks 23 to 31, % a week", lambda line: line[1][0], ".1f"),
+                        ("weeks 28 to 38, ml a day", lambda line: line[1][1], ".2f")], [line for line in lines if line[1]])
+
+
 def end_table(results):
     def last(key):
         return lambda result: result["weeks"][-1][key]
@@ -172,6 +197,7 @@ def main():
         sys.exit("no complete run")
     _runs.write_results(arguments.results, "A fetal brain from 23 to 38 weeks", results,
                         [("Before growth", start_table(results)), ("From 23 to 38 weeks", end_table(results)),
+                         ("How fast the volume grows", rate_table(results)),
                          ("Findings", findings(results)), *((result["name"], week_table(result)) for result in results),
                          ("Controls", _runs.control_table(results))])
     _runs.finish([*problems(results)])
