@@ -5,6 +5,8 @@
 #include "corticle/fem/block_law.hpp"
 #include "corticle/fem/extrapolation.hpp"
 
+#include <optional>
+
 namespace corticle
 {
 
@@ -13,29 +15,16 @@ namespace
 
 constexpr std::size_t most_nodes = 4 * parallel_block;
 
-/// Indices of the tets of a block; lanes past the last tet repeat it.
-CORTICLE_INLINE void tet_indices(const Chunk& chunk, std::int64_t first, std::size_t (&tet)[lane_count])
+CORTICLE_INLINE WideGroup group_of(const Chunk& chunk, std::int64_t first)
 {
-    for (int l = 0; l < lane_count; ++l)
-    {
-        tet[l] = static_cast<std::size_t>(std::min(first + l, chunk.end - 1));
-    }
+    return {first, std::min<std::int64_t>(lane_count, chunk.end - first)};
 }
 
-/// `plain`: growth is that of Tissue::grows_plainly. @param F  see general_material
+/// `plain`: growth is that of Tissue::grows_plainly.
 template <bool plain>
-CORTICLE_INLINE void fill_material(const Chunk& chunk, std::int64_t first, const Mat3* F, BlockMaterial& material)
+CORTICLE_INLINE WideTissue tissue_of(const Chunk& chunk, const WideGroup& group, const WideMat3& F)
 {
-    std::size_t tet[lane_count];
-    tet_indices(chunk, first, tet);
-    if constexpr (plain)
-    {
-        plain_material(chunk.tissue, tet, chunk.t, material);
-    }
-    else
-    {
-        general_material(chunk.tissue, tet, chunk.t, F, material);
-    }
+    return plain ? plain_tissue(chunk.tissue, chunk.t, group) : any_tissue(chunk.tissue, chunk.t, group, F);
 }
 
 template <bool plain>
@@ -47,114 +36,152 @@ CORTICLE_INLINE void sum_volumes(const Chunk& chunk, const Vec3* x, NodalVolume*
         local[k] = lanes(x[chunk.nodes[k]]);
         parts[k] = {};
     }
-    alignas(64) LaneValues edge[9];
-    BlockMaterial material;
-    BlockVolumes volumes;
     for (std::int64_t first = chunk.begin; first < chunk.end; first += lane_count)
     {
         const TetBlock& block = chunk.block_of(first);
+        const WideGroup group = group_of(chunk, first);
+        WideEdges edge;
         gather_edges(block, local, edge);
-        fill_material<plain>(chunk, first, nullptr, material); // volumes do not know the normal
-        block_volumes(block, edge, material, volumes);
-        for (int l = 0; l < chunk.lanes_from(first); ++l)
-        {
-            const Lanes share = 0.25 * Lanes{volumes.current[l], volumes.grown[l], volumes.bulk[l], 0.0};
-            for (const auto& corner : block.corner)
-            {
-                reinterpret_cast<Lanes&>(parts[corner[l]]) += share;
-            }
-        }
+        const auto point = tissue_of<plain>(chunk, group, WideMat3::identity()).point; // whatever the normal
+        const WideLanes grown = growth_volume(point) * in_lanes(block.volume);
+        const WideVec3 quarter = 0.25 * WideVec3{volumes(edge), grown, point.bulk_modulus * grown};
+        group.scatter_rows(quarter,
+                           [&](int l, const Lanes& row)
+                           {
+                               for (const auto& corner : block.corner)
+                               {
+                                   reinterpret_cast<Lanes&>(parts[corner[l]]) += row;
+                               }
+                           });
     }
 }
 
-Mat3 gradient_in_lane(const TetBlock& block, const LaneValues* edge, int l)
+/// One tet of a block, where its law is extrapolated.
+struct OneTet
 {
     Mat3 F;
-    for (int k = 0; k < 9; ++k)
-    {
-        F(k / 3, k % 3) = edge[k / 3][l] * block.inverse_edges[k % 3][l] +
-                          edge[3 + k / 3][l] * block.inverse_edges[3 + k % 3][l] +
-                          edge[6 + k / 3][l] * block.inverse_edges[6 + k % 3][l];
-    }
-    return F;
-}
+    Vec3 gradient[3]; ///< of the shape functions of the corners 1, 2, 3 in the reference configuration [1/mm]
+    double volume;    ///< V [mm³]
+    MaterialPoint point;
+    Vec3 normal;
+    double pressure, density, work; ///< NodalSums
+};
 
-/// Adds what the volumetric part of a tet does to what its deviatoric part does, where that is extrapolated.
-/// False where it is not.
-bool extrapolate(const TetBlock& block, const LaneValues* edge, const BlockMaterial& m, const BlockNodal& nodal, int l,
-                 BlockResponse& out)
+/// What an extrapolated tet gives, as TetResponse has it.
+struct OneResponse
 {
-    const Mat3 F = gradient_in_lane(block, edge, l);
-    const double g = m.growth[l];
-    const double g_r = m.radial_growth[l];
-    const Vec3 n{m.normal[0][l], m.normal[1][l], m.normal[2][l]};
-    const Mat3 inverse_G = inverse_growth_tensor(g, n, g_r);
-    const Mat3 F_e = F * inverse_G;
+    Vec3 force[3];
+    double stiffness, energy, power;
+};
+
+/// Adds what the volumetric part of a tet does to what its deviatoric part does, where that is extrapolated; nothing
+/// where it is not.
+std::optional<OneResponse> extrapolate(const OneTet& tet)
+{
+    const MaterialPoint& point = tet.point;
+    const double g = point.growth;
+    const double g_r = point.radial_growth;
+    const Mat3 inverse_G = inverse_growth_tensor(g, tet.normal, g_r);
+    const Mat3 F_e = tet.F * inverse_G;
     const SingularValues elastic = singular_values(F_e);
     if (!(elastic.stretch.z < extrapolated_stretch))
     {
-        return false;
+        return std::nullopt;
     }
     const auto [shear_energy, bulk_energy, stress] =
-        extrapolated_deviatoric(elastic, m.shear_modulus[l], m.bulk_modulus[l]);
-    const double grown = block.volume[l] * g * g * g_r;
-    const Mat3 P = grown * (stress * inverse_G) + (0.25 * nodal.pressure[l] * block.volume[l]) * cofactor(F);
+        extrapolated_deviatoric(elastic, point.shear_modulus, point.bulk_modulus);
+    const double grown = tet.volume * g * g * g_r;
+    const Mat3 P = grown * (stress * inverse_G) + (0.25 * tet.pressure * tet.volume) * cofactor(tet.F);
+    OneResponse out;
     double squared_gradients = 0.0;
     Vec3 sum;
     for (int a = 0; a < 3; ++a)
     {
-        const Vec3 B{block.inverse_edges[3 * a][l], block.inverse_edges[3 * a + 1][l],
-                     block.inverse_edges[3 * a + 2][l]};
-        const Vec3 force = -(P * B);
-        out.force[3 * a][l] = force.x;
-        out.force[3 * a + 1][l] = force.y;
-        out.force[3 * a + 2][l] = force.z;
-        squared_gradients += squared_norm(B);
-        sum += B;
+        out.force[a] = -(P * tet.gradient[a]);
+        squared_gradients += squared_norm(tet.gradient[a]);
+        sum += tet.gradient[a];
     }
     squared_gradients += squared_norm(sum);
-    const double growth = m.growth_rate[l] / g;
-    const double radial_growth = m.radial_growth_rate[l] / g_r;
+    const double growth = point.growth_rate / g;
+    const double radial_growth = point.radial_growth_rate / g_r;
     const double swelling = 2.0 * growth + radial_growth;
     const double energy = shear_energy + bulk_energy;
-    const double radial = dot(stress * n, F_e * n);
-    out.energy[l] = grown * energy;
-    out.power[l] =
+    const double radial = dot(stress * tet.normal, F_e * tet.normal);
+    out.energy = grown * energy;
+    out.power =
         grown *
         (swelling * energy - growth * (contract(stress, F_e) - radial) - radial_growth * radial +
-         shear_energy * m.shear_rate[l] / m.shear_modulus[l] + bulk_energy * m.bulk_rate[l] / m.bulk_modulus[l] +
-         0.25 * ((swelling * m.bulk_modulus[l] + m.bulk_rate[l]) * nodal.density[l] - swelling * nodal.work[l]));
-    out.J[l] = determinant(F);
+         shear_energy * point.shear_rate / point.shear_modulus + bulk_energy * point.bulk_rate / point.bulk_modulus +
+         0.25 * ((swelling * point.bulk_modulus + point.bulk_rate) * tet.density - swelling * tet.work));
     // The tangent of the extrapolated law stays below about ten times that of the tissue at rest.
     constexpr double stiffening = 10.0;
-    out.stiffness[l] = grown * stiffening * (m.bulk_modulus[l] + 4.0 / 3.0 * m.shear_modulus[l]) * squared_gradients;
-    return true;
+    out.stiffness = grown * stiffening * (point.bulk_modulus + 4.0 / 3.0 * point.shear_modulus) * squared_gradients;
+    return out;
 }
 
-/// Reads the nodal values of the corners of a block.
-CORTICLE_INLINE void gather_nodal(const TetBlock& block, const Lanes* local, BlockNodal& nodal)
+CORTICLE_INLINE Vec3 vector_at(const WideVec3& v, int l)
 {
-    for (int l = 0; l < lane_count; ++l)
+    return {v.x[l], v.y[l], v.z[l]};
+}
+
+OneTet tet_in_lane(const TetBlock& block, const WideMat3& F, const WideTissue& tissue, const NodalSums& nodal, int l)
+{
+    OneTet tet;
+    const auto& point = tissue.point;
+    tet.F = {{vector_at(F.column[0], l), vector_at(F.column[1], l), vector_at(F.column[2], l)}};
+    for (int a = 0; a < 3; ++a)
     {
-        const auto& corner = block.corner;
-        const Lanes sum = (local[corner[0][l]] + local[corner[1][l]]) + (local[corner[2][l]] + local[corner[3][l]]);
-        nodal.pressure[l] = sum[0];
-        nodal.density[l] = sum[1];
-        nodal.work[l] = sum[2];
+        tet.gradient[a] = vector_at(shape_gradient(block, a), l);
+    }
+    tet.volume = block.volume[l];
+    tet.point = {point.growth[l],        point.radial_growth[l], point.growth_rate[l], point.radial_growth_rate[l],
+                 point.shear_modulus[l], point.bulk_modulus[l],  point.shear_rate[l],  point.bulk_rate[l]};
+    tet.normal = vector_at(tissue.normal, l);
+    tet.pressure = nodal.pressure[l];
+    tet.density = nodal.density[l];
+    tet.work = nodal.work[l];
+    return tet;
+}
+
+/// Extrapolates the tets of a block that are flat or inverted.
+void extrapolate_flat(const TetBlock& block, const WideMat3& F, const WideTissue& tissue, const NodalSums& nodal,
+                      const WideGroup& group, TetResponse& out, InternalResponse& sum)
+{
+    for (int l = 0; l < group.count; ++l)
+    {
+        if (out.flatness[l] > extrapolated_stretch)
+        {
+            continue;
+        }
+        sum.inverted_count += out.J[l] <= 0.0 ? 1 : 0;
+        if (const auto one = extrapolate(tet_in_lane(block, F, tissue, nodal, l)))
+        {
+            ++sum.extrapolated_count;
+            for (int a = 0; a < 3; ++a)
+            {
+                out.force[a].x[l] = one->force[a].x;
+                out.force[a].y[l] = one->force[a].y;
+                out.force[a].z[l] = one->force[a].z;
+            }
+            out.stiffness[l] = one->stiffness;
+            out.energy[l] = one->energy;
+            out.power[l] = one->power;
+        }
     }
 }
 
-CORTICLE_INLINE void scatter(const TetBlock& block, const BlockResponse& out, int l, Vec3* parts)
+/// Adds the forces of a block to those of its nodes; their lanes sum the stiffness.
+CORTICLE_INLINE void scatter_forces(const TetBlock& block, const TetResponse& out, const WideGroup& group, Vec3* parts)
 {
-    const double stiffness = out.stiffness[l];
-    const Lanes f1{out.force[0][l], out.force[1][l], out.force[2][l], stiffness};
-    const Lanes f2{out.force[3][l], out.force[4][l], out.force[5][l], stiffness};
-    const Lanes f3{out.force[6][l], out.force[7][l], out.force[8][l], stiffness};
-    const Lanes f0 = Lanes{0.0, 0.0, 0.0, 4.0 * stiffness} - (f1 + f2 + f3);
-    lanes(parts[block.corner[0][l]]) += f0;
-    lanes(parts[block.corner[1][l]]) += f1;
-    lanes(parts[block.corner[2][l]]) += f2;
-    lanes(parts[block.corner[3][l]]) += f3;
+    const auto add = [&](int corner, WideVec3 force)
+    {
+        force.lane = out.stiffness;
+        group.scatter_rows(force, [&](int l, const Lanes& row) { lanes(parts[block.corner[corner][l]]) += row; });
+    };
+    add(0, -(out.force[0] + out.force[1] + out.force[2]));
+    add(1, out.force[0]);
+    add(2, out.force[1]);
+    add(3, out.force[2]);
 }
 
 template <bool plain>
@@ -169,40 +196,41 @@ CORTICLE_INLINE void sum_forces(const Chunk& chunk, const Vec3* x, const NodalPr
         local_values[k] = reinterpret_cast<const Lanes&>(node_values[chunk.nodes[k]]);
         parts[k] = {};
     }
-    const bool current_normal = !plain && chunk.tissue.options.normal == NormalFrame::current;
-    alignas(64) LaneValues edge[9];
-    BlockMaterial material;
-    BlockNodal nodal;
-    BlockResponse out;
+    WideLanes energy{};
+    WideLanes power{};
     for (std::int64_t first = chunk.begin; first < chunk.end; first += lane_count)
     {
         const TetBlock& block = chunk.block_of(first);
+        const WideGroup group = group_of(chunk, first);
+        WideEdges edge;
         gather_edges(block, local, edge);
-        Mat3 F[lane_count];
-        for (int l = 0; current_normal && l < lane_count; ++l)
+        const WideMat3 F = gradients(block, edge);
+        const WideTissue tissue = tissue_of<plain>(chunk, group, F);
+        const WideVec3 values = (gather_corner(block, local_values, 0) + gather_corner(block, local_values, 1)) +
+                                (gather_corner(block, local_values, 2) + gather_corner(block, local_values, 3));
+        const NodalSums nodal{values.x, values.y, values.z};
+        TetResponse out = respond(block, edge, F, tissue, nodal);
+        bool any_flat = false;
+        for_lanes(~(out.flatness > extrapolated_stretch), [&](int) { any_flat = true; });
+        if (any_flat)
         {
-            F[l] = gradient_in_lane(block, edge, l);
+            extrapolate_flat(block, F, tissue, nodal, group, out, sum);
         }
-        fill_material<plain>(chunk, first, current_normal ? F : nullptr, material);
-        gather_nodal(block, local_values, nodal);
-        respond(block, edge, material, nodal, out);
-        for (int l = 0; l < chunk.lanes_from(first); ++l)
-        {
-            if (!(out.flatness[l] > extrapolated_stretch))
-            {
-                sum.extrapolated_count += extrapolate(block, edge, material, nodal, l, out) ? 1 : 0;
-                sum.inverted_count += out.J[l] <= 0.0 ? 1 : 0;
-            }
-            scatter(block, out, l, parts);
-            sum.elastic_energy += out.energy[l];
-            sum.growth_power += out.power[l];
-            if (out.J[l] < sum.smallest_J)
-            {
-                sum.smallest_J = out.J[l];
-                sum.smallest_J_at = first + l;
-            }
-        }
+        scatter_forces(block, out, group, parts);
+        energy += group.counted(out.energy);
+        power += group.counted(out.power);
+        for_lanes(out.J < sum.smallest_J,
+                  [&](int l)
+                  {
+                      if (out.J[l] < sum.smallest_J)
+                      {
+                          sum.smallest_J = out.J[l];
+                          sum.smallest_J_at = group.at(l);
+                      }
+                  });
     }
+    sum.elastic_energy += sum_of_lanes(energy);
+    sum.growth_power += sum_of_lanes(power);
 }
 
 } // namespace

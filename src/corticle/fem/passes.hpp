@@ -52,10 +52,6 @@ struct Chunk
     }
 
     const TetBlock& block_of(std::int64_t first) const { return elements.blocks[first / lane_count]; }
-    int lanes_from(std::int64_t first) const
-    {
-        return static_cast<int>(std::min<std::int64_t>(lane_count, end - first));
-    }
 };
 
 /// Parts of the volumes of the chunk's nodes. The first for growth that Tissue::grows_plainly.

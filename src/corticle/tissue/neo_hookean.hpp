@@ -18,6 +18,14 @@ struct BasicElasticResponse
 };
 using ElasticResponse = BasicElasticResponse<double>;
 
+/// Deviatoric part of the law.
+template <RealLike Real>
+struct DeviatoricResponse
+{
+    Real energy;            ///< [mu_w]
+    BasicMat3<Real> stress; ///< dW/dF_e [mu_w]
+};
+
 /// Volumetric part of the law.
 template <RealLike Real>
 struct VolumetricResponse
@@ -55,17 +63,25 @@ struct BasicNeoHookean
         return {energy, pressure};
     }
 
+    /// @param F_e  elastic deformation gradient, det F_e > 0   @param cofactor_e,J_e  its cofactor and determinant
+    CORTICLE_INLINE DeviatoricResponse<Real> respond_to_shape(const BasicMat3<Real>& F_e,
+                                                              const BasicMat3<Real>& cofactor_e, const Real& J_e) const
+    {
+        const Real r = inverse_cube_root(J_e);
+        const Real scale = shear_modulus * r * r;
+        const Real trace_C = contract(F_e, F_e);
+        return {0.5 * (scale * trace_C - 3.0 * shear_modulus),
+                scale * F_e - (scale * trace_C / (3.0 * J_e)) * cofactor_e};
+    }
+
     /// @param F_e  elastic deformation gradient, det F_e > 0
     CORTICLE_INLINE BasicElasticResponse<Real> respond(const BasicMat3<Real>& F_e) const
     {
         const BasicMat3<Real> cofactor_e = cofactor(F_e);
         const Real J_e = dot(F_e.column[0], cofactor_e.column[0]);
-        const Real r = inverse_cube_root(J_e);
-        const Real scale = shear_modulus * r * r;
-        const Real trace_C = contract(F_e, F_e);
-        const auto [volumetric, pressure] = respond_to_volume(J_e);
-        return {0.5 * (scale * trace_C - 3.0 * shear_modulus), volumetric,
-                scale * F_e + (pressure - scale * trace_C / (3.0 * J_e)) * cofactor_e};
+        const DeviatoricResponse<Real> shape = respond_to_shape(F_e, cofactor_e, J_e);
+        const VolumetricResponse<Real> volume = respond_to_volume(J_e);
+        return {shape.energy, volume.energy, shape.stress + volume.pressure * cofactor_e};
     }
 };
 using NeoHookean = BasicNeoHookean<double>;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/tlsph/solver.hpp"
 
-#include "corticle/base/wide_group.hpp"
 #include "corticle/tissue/growth.hpp"
 #include "corticle/tissue/neo_hookean.hpp"
+#include "corticle/tissue/wide_tissue.hpp"
 #include "corticle/tlsph/response.hpp"
 
 #include <limits>
@@ -98,51 +98,6 @@ struct LaneSums
     WideLanes barrier_count{};
 };
 
-/// Moduli and growth of eight particles, and the normals they grow across.
-struct WideTissue
-{
-    BasicMaterialPoint<WideLanes> point;
-    WideVec3 normal;
-};
-
-/// Growth of Tissue::grows_plainly, which the compiler gets to see.
-CORTICLE_INLINE WideTissue plain_tissue(const PassInput& in, const WideGroup& group)
-{
-    const Tissue& tissue = in.tissue;
-    const WideLanes theta = group.gather(tissue.theta.data());
-    const WideLanes rate = group.gather(tissue.regional_rate.data());
-    return {material_point(tissue.options, theta, rate, in.t), gather(group, tissue.normal.data())};
-}
-
-/// Any growth, particle by particle.
-CORTICLE_INLINE WideTissue any_tissue(const PassInput& in, const WideGroup& group, const WideMat3& F)
-{
-    Mat3 gradients[wide_lanes];
-    for (int c = 0; c < 3; ++c)
-    {
-        group.scatter_vectors(F.column[c],
-                              [&](std::int64_t i) -> Vec3& { return gradients[i - group.first].column[c]; });
-    }
-    WideTissue tissue{};
-    Vec3 normals[wide_lanes];
-    for (int lane = 0; lane < wide_lanes; ++lane)
-    {
-        const auto i = static_cast<std::size_t>(group.at(lane));
-        const MaterialPoint point = in.tissue.point(i, in.t);
-        at_lane(tissue.point.growth, lane) = point.growth;
-        at_lane(tissue.point.radial_growth, lane) = point.radial_growth;
-        at_lane(tissue.point.growth_rate, lane) = point.growth_rate;
-        at_lane(tissue.point.radial_growth_rate, lane) = point.radial_growth_rate;
-        at_lane(tissue.point.shear_modulus, lane) = point.shear_modulus;
-        at_lane(tissue.point.bulk_modulus, lane) = point.bulk_modulus;
-        at_lane(tissue.point.shear_rate, lane) = point.shear_rate;
-        at_lane(tissue.point.bulk_rate, lane) = point.bulk_rate;
-        normals[lane] = in.tissue.growth_normal(i, gradients[group.at(lane) - group.first]);
-    }
-    tissue.normal = gather(WideGroup{0, wide_lanes}, normals);
-    return tissue;
-}
-
 /// Stress, energies and force records of eight particles. Writes to `own_force` the part of their forces that their own
 /// states make.
 template <bool plain>
@@ -168,7 +123,7 @@ CORTICLE_INLINE void respond(const Block& block, const PassInput& in, const Wide
     const WideIntegers sound = (J > 0.0) & (J < std::numeric_limits<double>::max());
     for_lanes(~sound, [&](int lane) { total.invalid_at = total.invalid_at < 0 ? group.at(lane) : total.invalid_at; });
 
-    const WideTissue tissue = plain ? plain_tissue(in, group) : any_tissue(in, group, F);
+    const WideTissue tissue = plain ? plain_tissue(in.tissue, in.t, group) : any_tissue(in.tissue, in.t, group, F);
     const auto& point = tissue.point;
     const WideLanes one = broadcast<WideLanes>(1.0);
     const WideLanes g = point.growth;
@@ -186,11 +141,10 @@ CORTICLE_INLINE void respond(const Block& block, const PassInput& in, const Wide
     const WideLanes ratio = plain ? g : (flat ? g / g_r : one);
     const WideLanes zeta = particles.options.zeta * point.shear_modulus * ratio * ratio * g_r;
 
-    const WideLanes counted = group.share();
     const WideLanes density = elastic.deviatoric_energy + elastic.volumetric_energy;
     const WideLanes zero_mode = 0.5 * zeta * (sums.squared_lengths - contract(sums.moment, F));
-    sum.elastic_energy += counted * volume * J_g * density;
-    sum.zero_mode_energy += counted * zero_mode;
+    sum.elastic_energy += group.counted(volume * J_g * density);
+    sum.zero_mode_energy += group.counted(zero_mode);
     // dPsi/dg at fixed F and n, times dg/dt; the zero-energy term follows zeta.
     const WideLanes radial_work = dot(elastic.stress * n, F_e * n);
     const WideLanes tangential_work = contract(elastic.stress, F_e) - radial_work;
@@ -204,11 +158,11 @@ CORTICLE_INLINE void respond(const Block& block, const PassInput& in, const Wide
         power += point.shear_rate / point.shear_modulus * (volume * J_g * elastic.deviatoric_energy + zero_mode);
         power += point.bulk_rate / point.bulk_modulus * volume * J_g * elastic.volumetric_energy;
     }
-    sum.growth_power += counted * power;
+    sum.growth_power += group.counted(power);
     sum.stiffest_rate = larger<WideLanes>(
         sum.stiffest_rate, ratio * square_root(g_r * (point.bulk_modulus + 4.0 / 3.0 * point.shear_modulus)) *
                                largest_compression(cofactor_F, J));
-    sum.barrier_count += J < barrier_J * J_g ? counted : WideLanes{};
+    sum.barrier_count += group.counted(J < barrier_J * J_g ? one : WideLanes{});
 
     const WideMat3 P = J_g * (elastic.stress * inverse_G);
     const WideMat3 M = volume * (P * L) - zeta * F;
