@@ -41,7 +41,8 @@ tsan: setup-dev build/tsan/.configured ## build and test with clang's thread san
 validate: build ## compare with theory and published numbers (validation/*/run.py or run.sh)
 	@$(PYTHON) scripts/validate.py --command $(COMMAND)
 
-validate-thesis: build ## make the sweeps of cases/thesis; tables and pictures go to validation/thesis
+validate-thesis: build ## make the ablation and the sweeps of cases/thesis; results go to validation/thesis
+	@$(PYTHON) validation/thesis/ablation/run.py --command $(COMMAND)
 	@$(PYTHON) scripts/validate_thesis.py --command $(COMMAND)
 
 bench: build ## run the benchmarks: a table (docs/performance.md), JSON in build/release/benchmarks
