@@ -165,6 +165,23 @@ def finest(results, case, method):
     return max(found, key=lambda r: r["size"], default=None)
 
 
+def limit_table(results, case):
+    """The line through the two finest runs of each method, at spacing 0: what both tend to."""
+    lines = []
+    for t in SHOWN:
+        for heading, key in (("area ratio", "area_ratio"), ("volume ratio", "volume_ratio"), ("sphere index", "gi_sphere")):
+            limits = {}
+            for method in ("sph", "fem"):
+                runs = sorted((r for r in results if (r["case"], r["method"]) == (case, method)), key=lambda r: r["spacing_mm"])[:2]
+                if len(runs) == 2:
+                    (h1, v1), (h2, v2) = ((r["spacing_mm"], at(r, t)[key]) for r in runs)
+                    limits[method] = v1 + (v1 - v2) / (h2 - h1) * h1
+            if len(limits) == 2:
+                lines.append((f"{heading}, t = {t}", limits["sph"], limits["fem"], 100 * (limits["sph"] / limits["fem"] - 1)))
+    return _runs.table([("", lambda line: line[0], "s"), ("TL-SPH", lambda line: line[1], ".3f"), ("FEM", lambda line: line[2], ".3f"),
+                        ("TL-SPH over FEM, %", lambda line: line[3], "+.1f")], lines)
+
+
 def plots(results, case, path):
     chosen = [r for r in results if r["case"] == case]
     panels = []
@@ -210,6 +227,7 @@ def main():
         chosen = [r for r in results if r["case"] == case]
         if chosen:
             sections += [(f"({case}) {name}: what is measured", convergence_table(chosen)),
+                         (f"({case}) {name}: the line through the two finest, at spacing 0", limit_table(results, case)),
                          (f"({case}) {name}: controls and cost", control_table(chosen))]
             plots(results, case, arguments.results / f"convergence_{case}.svg")
             sections.append((f"({case}) {name}: curves", f"![](convergence_{case}.svg)\n"))
