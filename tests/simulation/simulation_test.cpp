@@ -4,6 +4,7 @@
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
 #include "corticle/simulation/checkpointing.hpp"
+#include "simulation/same_bits.hpp"
 #include "tlsph/small_body.hpp"
 
 #include <gmock/gmock.h>
@@ -23,30 +24,8 @@ State rough_start(const Body& body, double amplitude)
     return state;
 }
 
-void take_steps(Simulation& simulation, int count)
-{
-    for (int k = 0; k < count; ++k)
-    {
-        simulation.step(1.0);
-    }
-}
-
-void expect_same_bits(const Simulation& a, const Simulation& b)
-{
-    EXPECT_EQ(a.state().motion.x, b.state().motion.x);
-    EXPECT_EQ(a.state().motion.v, b.state().motion.v);
-    EXPECT_EQ(a.state().motion.force, b.state().motion.force);
-    EXPECT_EQ(a.state().t, b.state().t);
-    EXPECT_EQ(a.state().steps, b.state().steps);
-    EXPECT_EQ(a.state().step_scale, b.state().step_scale);
-    EXPECT_EQ(a.state().kinetic_energy, b.state().kinetic_energy);
-    EXPECT_EQ(a.state().books.growth_work, b.state().books.growth_work);
-    EXPECT_EQ(a.state().books.dissipated, b.state().books.dissipated);
-    EXPECT_EQ(a.state().lowest_gi_sphere, b.state().lowest_gi_sphere);
-    EXPECT_EQ(a.step_size(), b.step_size());
-    EXPECT_EQ(a.internal().elastic_energy, b.internal().elastic_energy);
-    EXPECT_EQ(a.contact().active, b.contact().active);
-}
+using test::expect_same_bits;
+using test::take_steps;
 
 TEST(Simulation, OneAndTwoThreadsGiveTheSameBits)
 {

@@ -3,7 +3,7 @@
 #include "corticle/base/parallel.hpp"
 #include "corticle/config/case_file.hpp"
 #include "corticle/simulation/checkpointing.hpp"
-#include "corticle/simulation/simulation.hpp"
+#include "simulation/same_bits.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,22 +19,8 @@ Options printed_case(std::vector<std::string> overrides = {})
     return parse_case("[solver]\nformulation = \"thesis\"\n", "case.toml", overrides, "");
 }
 
-void take_steps(Simulation& simulation, int count)
-{
-    for (int k = 0; k < count; ++k)
-    {
-        simulation.step(1.0);
-    }
-}
-
-void expect_same_bits(const Simulation& a, const Simulation& b)
-{
-    EXPECT_EQ(a.state().motion.x, b.state().motion.x);
-    EXPECT_EQ(a.state().motion.v, b.state().motion.v);
-    EXPECT_EQ(a.state().t, b.state().t);
-    EXPECT_EQ(a.state().books.dissipated, b.state().books.dissipated);
-    EXPECT_EQ(a.state().books.growth_work, b.state().books.growth_work);
-}
+using test::expect_same_bits;
+using test::take_steps;
 
 TEST(ThesisFormulation, GoesOnFromACheckpointToTheSameBitsOnAnyThreads)
 {

@@ -3,6 +3,7 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
+#include "momenta.hpp"
 #include "tlsph/small_body.hpp"
 
 #include <gtest/gtest.h>
@@ -107,19 +108,7 @@ TEST(TlsphExactness, BothMomentaAreConserved)
         perturbed(affine(body.cloud.positions, stretch, {5.0, 0.0, -3.0}), 0.1 * body.cloud.spacing);
     std::vector<Vec3> forces(x.size());
     ASSERT_EQ(solver.evaluate(x, 0.3, forces).invalid_at, -1);
-    Vec3 force;
-    Vec3 torque;
-    double force_size = 0.0;
-    double torque_size = 0.0;
-    for (std::size_t i = 0; i < x.size(); ++i)
-    {
-        force += forces[i];
-        torque += cross(x[i], forces[i]);
-        force_size += norm(forces[i]);
-        torque_size += norm(x[i]) * norm(forces[i]);
-    }
-    EXPECT_LT(norm(force), 1e-13 * force_size);
-    EXPECT_LT(norm(torque), 1e-13 * torque_size);
+    test::expect_momenta_conserved(x, forces);
 }
 
 TEST(TlsphExactness, OneAndTwoThreadsGiveTheSameBits)

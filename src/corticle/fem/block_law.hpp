@@ -33,7 +33,7 @@ struct TetResponse
 /// Positions of the tets of a block now: edges x_a - x_0, a = 1, 2, 3.
 using WideEdges = WideVec3[3];
 
-CORTICLE_INLINE WideLanes in_lanes(const double (&values)[lane_count])
+CORTICLE_INLINE WideLanes in_lanes(const double (&values)[wide_lanes])
 {
     return *reinterpret_cast<const WideMemory*>(values);
 }
@@ -41,7 +41,7 @@ CORTICLE_INLINE WideLanes in_lanes(const double (&values)[lane_count])
 /// Sums of rows and edges between them: @param local  four numbers of every node of the chunk
 CORTICLE_INLINE WideVec3 gather_corner(const TetBlock& block, const Lanes* local, int corner)
 {
-    return WideGroup{0, lane_count}.gather_rows([&](std::int64_t l) -> const Lanes&
+    return WideGroup{0, wide_lanes}.gather_rows([&](std::int64_t l) -> const Lanes&
                                                 { return local[block.corner[corner][l]]; });
 }
 CORTICLE_INLINE void gather_edges(const TetBlock& block, const Lanes* local, WideEdges& edge)

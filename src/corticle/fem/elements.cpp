@@ -15,7 +15,7 @@ namespace corticle
 namespace
 {
 
-static_assert(parallel_block % lane_count == 0);
+static_assert(parallel_block % wide_lanes == 0);
 static_assert(4 * parallel_block <= 65536); // a corner has 16 bits
 
 Mat3 edges(std::span<const Vec3> x, const Tet& tet)
@@ -58,7 +58,7 @@ void cut_into_chunks(TetElements& elements)
             for (std::size_t a = 0; a < 4; ++a)
             {
                 const auto found = std::ranges::lower_bound(nodes, elements.tets[e][a]);
-                elements.blocks[e / lane_count].corner[a][e % lane_count] =
+                elements.blocks[e / wide_lanes].corner[a][e % wide_lanes] =
                     static_cast<std::uint16_t>(found - nodes.begin());
             }
         }
@@ -90,20 +90,20 @@ void find_parts(TetElements& elements)
 void fill_blocks(TetElements& elements)
 {
     const std::size_t count = elements.tets.size();
-    elements.blocks.resize((count + lane_count - 1) / lane_count);
-    for (std::size_t slot = 0; slot < lane_count * elements.blocks.size(); ++slot)
+    elements.blocks.resize((count + wide_lanes - 1) / wide_lanes);
+    for (std::size_t slot = 0; slot < wide_lanes * elements.blocks.size(); ++slot)
     {
         const std::size_t e = std::min(slot, count - 1);
-        TetBlock& block = elements.blocks[slot / lane_count];
+        TetBlock& block = elements.blocks[slot / wide_lanes];
         const Mat3 inverse_edges = inverse(edges(elements.X, elements.tets[e]));
         for (int k = 0; k < 9; ++k)
         {
-            block.inverse_edges[k][slot % lane_count] = inverse_edges(k / 3, k % 3);
+            block.inverse_edges[k][slot % wide_lanes] = inverse_edges(k / 3, k % 3);
         }
-        block.volume[slot % lane_count] = elements.volume[e];
+        block.volume[slot % wide_lanes] = elements.volume[e];
         for (auto& corner : block.corner)
         {
-            corner[slot % lane_count] = 0;
+            corner[slot % wide_lanes] = 0;
         }
     }
 }

@@ -11,16 +11,13 @@
 namespace corticle
 {
 
-/// Tets that are computed at once, one in each lane of the vector registers.
-inline constexpr std::int32_t lane_count = 8;
-
 /// Constant data of eight tets, component by component.
 struct alignas(64) TetBlock
 {
-    double inverse_edges[9][lane_count]; ///< entry 3a + k: component k of the gradient of the shape function of corner
+    double inverse_edges[9][wide_lanes]; ///< entry 3a + k: component k of the gradient of the shape function of corner
                                          ///< a + 1 in the reference configuration [1/mm]
-    double volume[lane_count];           ///< V [mm³]
-    std::uint16_t corner[4][lane_count]; ///< numbers of the corners among the nodes of their chunk
+    double volume[wide_lanes];           ///< V [mm³]
+    std::uint16_t corner[4][wide_lanes]; ///< numbers of the corners among the nodes of their chunk
 };
 
 /// Linear tetrahedra of a body in the reference configuration.

@@ -17,7 +17,7 @@ constexpr std::size_t most_nodes = 4 * parallel_block;
 
 CORTICLE_INLINE WideGroup group_of(const Chunk& chunk, std::int64_t first)
 {
-    return {first, std::min<std::int64_t>(lane_count, chunk.end - first)};
+    return {first, std::min(wide_lanes, chunk.end - first)};
 }
 
 /// `plain`: growth is that of Tissue::grows_plainly.
@@ -36,7 +36,7 @@ CORTICLE_INLINE void sum_volumes(const Chunk& chunk, const Vec3* x, NodalVolume*
         local[k] = lanes(x[chunk.nodes[k]]);
         parts[k] = {};
     }
-    for (std::int64_t first = chunk.begin; first < chunk.end; first += lane_count)
+    for (std::int64_t first = chunk.begin; first < chunk.end; first += wide_lanes)
     {
         const TetBlock& block = chunk.block_of(first);
         const WideGroup group = group_of(chunk, first);
@@ -198,7 +198,7 @@ CORTICLE_INLINE void sum_forces(const Chunk& chunk, const Vec3* x, const NodalPr
     }
     WideLanes energy{};
     WideLanes power{};
-    for (std::int64_t first = chunk.begin; first < chunk.end; first += lane_count)
+    for (std::int64_t first = chunk.begin; first < chunk.end; first += wide_lanes)
     {
         const TetBlock& block = chunk.block_of(first);
         const WideGroup group = group_of(chunk, first);

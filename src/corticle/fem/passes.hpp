@@ -51,7 +51,7 @@ struct Chunk
         nodes = std::span(all.chunk_node).subspan(first_part, all.chunk_begin[c + 1] - first_part);
     }
 
-    const TetBlock& block_of(std::int64_t first) const { return elements.blocks[first / lane_count]; }
+    const TetBlock& block_of(std::int64_t first) const { return elements.blocks[first / wide_lanes]; }
 };
 
 /// Parts of the volumes of the chunk's nodes. The first for growth that Tissue::grows_plainly.

@@ -16,22 +16,6 @@ namespace corticle
 namespace
 {
 
-void join(InternalResponse& total, const InternalResponse& part)
-{
-    total.elastic_energy += part.elastic_energy;
-    total.growth_power += part.growth_power;
-    total.barrier_count += part.barrier_count;
-    total.extrapolated_count += part.extrapolated_count;
-    total.inverted_count += part.inverted_count;
-    total.stiffest_rate = std::max(total.stiffest_rate, part.stiffest_rate);
-    if (part.smallest_J < total.smallest_J)
-    {
-        total.smallest_J = part.smallest_J;
-        total.smallest_J_at = part.smallest_J_at;
-    }
-    total.invalid_at = total.invalid_at < 0 ? part.invalid_at : total.invalid_at;
-}
-
 /// Sum of the parts of a node, each four doubles.
 template <class Part>
 CORTICLE_INLINE Part joined(const TetElements& elements, std::int64_t node, const Part* parts)

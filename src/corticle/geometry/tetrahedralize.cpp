@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/geometry/tetrahedralize.hpp"
 
+#include "corticle/base/ascending_new.hpp"
 #include "corticle/base/child_process.hpp"
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
 
 #include <fmt/format.h>
 #include <gmsh.h>
-#include <malloc.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -106,31 +105,10 @@ std::vector<T> take(std::string_view& bytes)
     return values;
 }
 
-/// Takes what is free between older blocks of the heap, so that new ones follow each other. Gmsh orders vertices by
-/// their addresses, and its tets by that.
-void use_up_free_memory()
-{
-    mallopt(M_MMAP_THRESHOLD, 1 << 17);
-    const void* const end = sbrk(0);
-    constexpr std::size_t largest = 2048;
-    void* volatile block = nullptr; // volatile, as compilers leave out memory that is not used
-    for (std::size_t size = largest; size >= 16; size -= 16)
-    {
-        for (int k = 0; k < 16; ++k)
-        {
-            block = std::malloc(size); // the lists that hold a few blocks of each size
-        }
-    }
-    do
-    {
-        block = std::malloc(16);
-    } while (block != nullptr && block < end);
-}
-
 /// The tets as bytes.
 std::string fill(const TriangleMesh& surface, double size)
 {
-    use_up_free_memory();
+    make_new_ascend();   // Gmsh orders vertices by their addresses, and its tets by that
     set_thread_count(1); // with more, the tets would depend on their number
     gmsh::initialize(0, nullptr, false);
     gmsh::option::setNumber("General.Terminal", 0);

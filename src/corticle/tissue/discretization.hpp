@@ -29,6 +29,9 @@ struct InternalResponse
                                   ///< finite; -1 when the state is sound
 };
 
+/// Adds what one block of material points found to what the blocks before it did.
+void join(InternalResponse& total, const InternalResponse& part);
+
 /// "position (1, 2, 3) mm, reference (1, 2, 2.5) mm, depth 0.1 mm, J = 0.5, F = [[...], [...], [...]]"
 std::string describe_point(const Vec3& x, const Vec3& X, double depth, const Mat3& F);
 

@@ -5,7 +5,6 @@
 #include "corticle/tissue/tissue.hpp"
 #include "corticle/tlsph/particles.hpp"
 
-#include <algorithm>
 #include <string>
 
 namespace corticle
@@ -21,22 +20,6 @@ CORTICLE_INLINE Real largest_compression(const BasicMat3<Real>& cofactor_F, cons
     const Real mean = trace(B) / 3.0;
     const Real variance = larger<Real>(contract(B, B) / 3.0 - mean * mean, Real{});
     return square_root(mean + square_root(2.0 * variance)) / J;
-}
-
-/// Adds what a block of particles found to what the blocks before it did.
-inline void join(InternalResponse& total, const InternalResponse& part)
-{
-    total.elastic_energy += part.elastic_energy;
-    total.zero_mode_energy += part.zero_mode_energy;
-    total.growth_power += part.growth_power;
-    total.stiffest_rate = std::max(total.stiffest_rate, part.stiffest_rate);
-    total.barrier_count += part.barrier_count;
-    if (part.smallest_J < total.smallest_J)
-    {
-        total.smallest_J = part.smallest_J;
-        total.smallest_J_at = part.smallest_J_at;
-    }
-    total.invalid_at = total.invalid_at < 0 ? part.invalid_at : total.invalid_at;
 }
 
 /// "particle 12: position ..., J = ..., 57 neighbours"
