@@ -82,16 +82,21 @@ class Pictures : public ::testing::Test
 TEST_F(Pictures, SurfaceShowsShadedColours)
 {
     const std::vector<double> values{0, 1, 2, std::nan("")};
+    const std::vector<double> others{2, 1, 0, 1};
     const ColorScale scale{"value [-]", 0, 2, "viridis"};
-    render_surface(folder / "a.png", mesh.vertices, mesh.triangles, values, scale, "title");
-    render_surface(folder / "b.png", mesh.vertices, mesh.triangles, values, scale, "title");
+    const std::array pictures{SurfacePicture{folder / "a.png", values, scale},
+                              SurfacePicture{folder / "other.png", others, {"other [-]", 0, 3, "coolwarm"}},
+                              SurfacePicture{folder / "b.png", values, scale}};
+    render_surface(mesh.vertices, mesh.triangles, pictures, "title");
+    render_surface(mesh.vertices, mesh.triangles, {&pictures[0], 1}, "title");
     const Picture picture = read_picture(folder / "a.png");
     EXPECT_EQ(picture.width, 1600);
     EXPECT_EQ(picture.height, 800);
     EXPECT_GT(picture.colors.size(), 500u);
     EXPECT_EQ(picture.at(5, 5), (Pixel{255, 255, 255}));
-    EXPECT_NE(picture.at(1080, 500), (Pixel{255, 255, 255})); // the right panel is drawn, too
-    EXPECT_EQ(bytes_of(folder / "a.png"), bytes_of(folder / "b.png"));
+    EXPECT_NE(picture.at(1080, 500), (Pixel{255, 255, 255}));          // the right panel is drawn, too
+    EXPECT_EQ(bytes_of(folder / "a.png"), bytes_of(folder / "b.png")); // alone or among others
+    EXPECT_NE(bytes_of(folder / "a.png"), bytes_of(folder / "other.png"));
 }
 
 TEST_F(Pictures, CutShowsTheNearestParticles)

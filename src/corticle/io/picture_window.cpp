@@ -22,6 +22,7 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -84,7 +85,7 @@ void set_up_window(vtkRenderWindow* window, int width, int height)
     window->SetShowWindow(false);
     window->SetOffScreenRendering(1);
     window->SetSize(width, height);
-    window->SetMultiSamples(4);
+    window->SetMultiSamples(0); // lines and text are smooth without, and surfaces are drawn finer
 }
 
 void add_text(vtkRenderer* renderer, const std::string& text, double x, double y, const TextStyle& style)
@@ -154,28 +155,37 @@ vtkSmartPointer<vtkImageData> grab_picture(vtkRenderWindow* window, int samples)
     vtkNew<vtkImageData> image;
     image->SetDimensions(width, height, 1);
     image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+    const auto* const from = static_cast<const unsigned char*>(fine->GetScalarPointer());
+    auto* to = static_cast<unsigned char*>(image->GetScalarPointer());
+    const std::ptrdiff_t row = 3 * static_cast<std::ptrdiff_t>(fine->GetDimensions()[0]);
     for (int y = 0; y < height; ++y)
     {
         for (int x = 0; x < width; ++x)
         {
-            std::array<int, 3> sum{};
-            for (int k = 0; k < samples * samples; ++k)
+            const auto* const corner = from + samples * (y * row + 3 * x);
+            for (int i = 0; i < 3; ++i)
             {
-                const auto* from = static_cast<unsigned char*>(
-                    fine->GetScalarPointer(samples * x + k % samples, samples * y + k / samples, 0));
-                for (std::size_t i = 0; i < 3; ++i)
+                int sum = samples * samples / 2;
+                for (int k = 0; k < samples * samples; ++k)
                 {
-                    sum[i] += from[i];
+                    sum += corner[k / samples * row + 3 * (k % samples) + i];
                 }
-            }
-            auto* to = static_cast<unsigned char*>(image->GetScalarPointer(x, y, 0));
-            for (std::size_t i = 0; i < 3; ++i)
-            {
-                to[i] = static_cast<unsigned char>((sum[i] + samples * samples / 2) / (samples * samples));
+                *to++ = static_cast<unsigned char>(sum / (samples * samples));
             }
         }
     }
     return image;
+}
+
+void multiply(vtkImageData* image, vtkImageData* other, double factor)
+{
+    const std::array<int, 3> size{image->GetDimensions()[0], image->GetDimensions()[1], 3};
+    auto* const to = static_cast<unsigned char*>(image->GetScalarPointer());
+    const auto* const by = static_cast<const unsigned char*>(other->GetScalarPointer());
+    for (std::ptrdiff_t k = 0; k < static_cast<std::ptrdiff_t>(size[0]) * size[1] * size[2]; ++k)
+    {
+        to[k] = byte_of(std::min(1.0, factor * to[k] * by[k] / (255.0 * 255.0)));
+    }
 }
 
 void save_picture(vtkRenderWindow* window, const std::filesystem::path& png)

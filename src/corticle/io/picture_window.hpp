@@ -54,6 +54,10 @@ void add_color_bar(vtkRenderer* renderer, const ColorScale& scale, double x, dou
 /// Renders, and returns the picture with `samples` x `samples` pixels averaged into one.
 vtkSmartPointer<vtkImageData> grab_picture(vtkRenderWindow* window, int samples);
 
+/// Multiplies the colours, as numbers from 0 to 1, with those of an image of the same size and with a factor; what
+/// gets brighter than 1 is 1.
+void multiply(vtkImageData* image, vtkImageData* other, double factor);
+
 /// Renders and writes a PNG, whole or not at all. @throws RunError
 void save_picture(vtkRenderWindow* window, const std::filesystem::path& png);
 

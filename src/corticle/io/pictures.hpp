@@ -28,12 +28,19 @@ struct ColorScale
 /// When false, `reason` says what is missing and how to get it.
 bool can_render(std::string& reason);
 
+/// One picture of a surface: its colours.
+struct SurfacePicture
+{
+    std::filesystem::path png;
+    std::span<const double> scalar; ///< of each vertex; empty: 0 everywhere
+    ColorScale scale;
+};
+
 /// Renders a surface from two sides, smooth-shaded with clear relief, coloured by a point scalar with a colour bar and
-/// a title. PNG 1600x800. `half_width` [mm] fixes the scale (0: fits the body), so that a series of pictures has one
-/// scale.
-void render_surface(const std::filesystem::path& png, std::span<const Vec3> points, std::span<const Triangle> triangles,
-                    std::span<const double> scalar, const ColorScale& scale, const std::string& title,
-                    double half_width = 0.0);
+/// a title: PNGs of 1600x800, one for each scalar. `half_width` [mm] fixes the scale (0: fits the body), so that a
+/// series of pictures has one scale. Shading costs most and is done once for all.
+void render_surface(std::span<const Vec3> points, std::span<const Triangle> triangles,
+                    std::span<const SurfacePicture> pictures, const std::string& title, double half_width = 0.0);
 
 /// A surface and what to write below it.
 struct SurfaceInput

@@ -40,7 +40,8 @@ constexpr int panel_size = 700;
 constexpr int panel_bottom = 40;
 constexpr int title_height = 50;
 constexpr int bar_left = 1450;
-constexpr int samples = 2; // each pixel is the mean of 2 x 2
+constexpr int samples = 2;   // each pixel is the mean of 2 x 2
+constexpr double grey = 0.5; // what is lit, so that light can make colours brighter than they are
 
 constexpr int tile_picture = 380; // of a grid
 constexpr int tile_caption = 48;
@@ -85,19 +86,16 @@ Box bounding_box(std::span<const Vec3> points)
     return box;
 }
 
-vtkNew<vtkPolyData> polydata_of(std::span<const Vec3> points, std::span<const Triangle> triangles,
-                                std::span<const double> scalar)
+vtkNew<vtkPolyData> polydata_of(std::span<const Vec3> points, std::span<const Triangle> triangles)
 {
     const std::vector<Vec3> normals = vertex_normals(points, triangles);
     vtkNew<vtkPoints> positions;
     vtkNew<vtkFloatArray> directions;
-    vtkNew<vtkDoubleArray> values;
     directions->SetNumberOfComponents(3);
     for (std::size_t i = 0; i < points.size(); ++i)
     {
         positions->InsertNextPoint(points[i].x, points[i].y, points[i].z);
         directions->InsertNextTuple3(normals[i].x, normals[i].y, normals[i].z);
-        values->InsertNextValue(scalar.empty() ? 0.0 : scalar[i]);
     }
     vtkNew<vtkCellArray> cells;
     for (const Triangle& triangle : triangles)
@@ -109,7 +107,6 @@ vtkNew<vtkPolyData> polydata_of(std::span<const Vec3> points, std::span<const Tr
     surface->SetPoints(positions);
     surface->SetPolys(cells);
     surface->GetPointData()->SetNormals(directions);
-    surface->GetPointData()->SetScalars(values);
     return surface;
 }
 
@@ -156,44 +153,86 @@ void look(vtkRenderer* renderer, const View& view, const Vec3& center, double ha
     camera->SetClippingRange(7.0 * half_width, 13.0 * half_width);
 }
 
-/// The body, coloured by its scalars.
-vtkNew<vtkActor> body_of(vtkPolyData* surface, const ColorScale& scale)
+/// The body in grey.
+vtkNew<vtkActor> body_of(vtkPolyData* surface)
 {
-    vtkNew<vtkLookupTable> colors;
-    fill_lookup_table(colors, scale);
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputData(surface);
-    mapper->SetLookupTable(colors);
     mapper->UseLookupTableScalarRangeOn();
     mapper->InterpolateScalarsBeforeMappingOn();
     vtkNew<vtkActor> body;
     body->SetMapper(mapper);
     body->GetProperty()->SetInterpolationToPhong();
-    body->GetProperty()->SetAmbient(0.16);
+    body->GetProperty()->SetColor(grey, grey, grey);
     body->GetProperty()->SetDiffuse(0.9);
-    body->GetProperty()->SetSpecular(0.1);
     body->GetProperty()->SetSpecularPower(25);
     return body;
 }
 
-/// What each view shows, `size` pixels square, one after the other in one window: the shading of sulci fills a window,
-/// not a part of one.
-std::vector<vtkSmartPointer<vtkImageData>> draw_views(vtkActor* body, const Vec3& center, double half_width,
-                                                      std::span<const View> shown, int size)
+/// One colouring of a body.
+struct Coloring
+{
+    std::span<const double> scalar; ///< of each vertex; empty: 0 everywhere
+    const ColorScale* scale;
+};
+
+vtkNew<vtkDoubleArray> array_of(std::span<const double> scalar, std::size_t count)
+{
+    vtkNew<vtkDoubleArray> values;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        values->InsertNextValue(scalar.empty() ? 0.0 : scalar[i]);
+    }
+    return values;
+}
+
+using Pictures = std::vector<vtkSmartPointer<vtkImageData>>;
+
+/// What each view shows of each colouring, `size` pixels square: of the first colouring all views, then of the next.
+/// Light and shade are drawn once for each view and laid over its colours. One view after the other in one window: the
+/// shading of sulci fills a window, not a part of one.
+Pictures draw_views(std::span<const Vec3> points, std::span<const Triangle> triangles,
+                    std::span<const Coloring> colorings, const Vec3& center, double half_width,
+                    std::span<const View> shown, int size)
 {
     vtkNew<vtkRenderWindow> window;
     set_up_window(window, samples * size, samples * size);
     vtkNew<vtkRenderer> renderer;
-    renderer->SetBackground(1, 1, 1);
+    const vtkNew<vtkPolyData> surface = polydata_of(points, triangles);
+    const vtkNew<vtkActor> body = body_of(surface);
     renderer->AddActor(body);
     add_lights(renderer);
-    add_occlusion(renderer, 0.12 * half_width);
     window->AddRenderer(renderer);
-    std::vector<vtkSmartPointer<vtkImageData>> pictures;
+
+    body->GetProperty()->SetAmbient(0.16);
+    body->GetProperty()->SetSpecular(0.1);
+    body->GetMapper()->ScalarVisibilityOff();
+    renderer->SetBackground(grey, grey, grey);
+    add_occlusion(renderer, 0.12 * half_width);
+    Pictures shades;
     for (const View& view : shown)
     {
         look(renderer, view, center, half_width);
-        pictures.push_back(grab_picture(window, samples));
+        shades.push_back(grab_picture(window, samples));
+    }
+
+    body->GetProperty()->LightingOff();
+    body->GetMapper()->ScalarVisibilityOn();
+    renderer->SetBackground(1, 1, 1);
+    renderer->SetPass(nullptr);
+    Pictures pictures;
+    for (const Coloring& coloring : colorings)
+    {
+        vtkNew<vtkLookupTable> colors;
+        fill_lookup_table(colors, *coloring.scale);
+        body->GetMapper()->SetLookupTable(colors);
+        surface->GetPointData()->SetScalars(array_of(coloring.scalar, points.size()));
+        for (std::size_t i = 0; i < shown.size(); ++i)
+        {
+            look(renderer, shown[i], center, half_width);
+            pictures.push_back(grab_picture(window, samples));
+            multiply(pictures.back(), shades[i], 1.0 / grey);
+        }
     }
     return pictures;
 }
@@ -202,16 +241,6 @@ std::vector<vtkSmartPointer<vtkImageData>> draw_views(vtkActor* body, const Vec3
 double fitting_half_width(std::span<const Vec3> points)
 {
     return std::max(1.04 * bounding_box(points).half_width(), std::numeric_limits<double>::min());
-}
-
-std::vector<vtkSmartPointer<vtkImageData>> draw_surface(std::span<const Vec3> points,
-                                                        std::span<const Triangle> triangles,
-                                                        std::span<const double> scalar, const ColorScale& scale,
-                                                        double half_width)
-{
-    assert(!points.empty() && (scalar.empty() || scalar.size() == points.size()));
-    return draw_views(body_of(polydata_of(points, triangles, scalar), scale), bounding_box(points).center(), half_width,
-                      views, panel_size);
 }
 
 /// Of a caption, so that its first line fits a tile [px].
@@ -276,20 +305,29 @@ void save_page(const std::filesystem::path& png, std::span<const PagePanel> pane
 
 } // namespace
 
-void render_surface(const std::filesystem::path& png, std::span<const Vec3> points, std::span<const Triangle> triangles,
-                    std::span<const double> scalar, const ColorScale& scale, const std::string& title,
-                    double half_width)
+void render_surface(std::span<const Vec3> points, std::span<const Triangle> triangles,
+                    std::span<const SurfacePicture> colored, const std::string& title, double half_width)
 {
-    require_display(png);
+    assert(!points.empty() && !colored.empty());
+    require_display(colored.front().png);
     const QuietVtk quiet;
-    const auto pictures =
-        draw_surface(points, triangles, scalar, scale, half_width > 0.0 ? half_width : fitting_half_width(points));
-    std::vector<PagePanel> panels;
-    for (std::size_t i = 0; i < views.size(); ++i)
+    std::vector<Coloring> colorings;
+    for (const SurfacePicture& one : colored)
     {
-        panels.push_back({pictures[i], 0, i, views[i].caption});
+        assert(one.scalar.empty() || one.scalar.size() == points.size());
+        colorings.push_back({one.scalar, &one.scale});
     }
-    save_page(png, panels, 1, scale, title);
+    const Pictures pictures = draw_views(points, triangles, colorings, bounding_box(points).center(),
+                                         half_width > 0.0 ? half_width : fitting_half_width(points), views, panel_size);
+    for (std::size_t k = 0; k < colored.size(); ++k)
+    {
+        std::vector<PagePanel> panels;
+        for (std::size_t i = 0; i < views.size(); ++i)
+        {
+            panels.push_back({pictures[k * views.size() + i], 0, i, views[i].caption});
+        }
+        save_page(colored[k].png, panels, 1, colored[k].scale, title);
+    }
 }
 
 void render_surface_pair(const std::filesystem::path& png, const std::array<SurfaceInput, 2>& surfaces,
@@ -302,7 +340,9 @@ void render_surface_pair(const std::filesystem::path& png, const std::array<Surf
     for (std::size_t column = 0; column < surfaces.size(); ++column)
     {
         const SurfaceInput& surface = surfaces[column];
-        const auto pictures = draw_surface(surface.points, surface.triangles, surface.scalar, scale, half_width);
+        const std::array coloring{Coloring{surface.scalar, &scale}};
+        const Pictures pictures = draw_views(surface.points, surface.triangles, coloring,
+                                             bounding_box(surface.points).center(), half_width, views, panel_size);
         for (std::size_t i = 0; i < views.size(); ++i)
         {
             panels.push_back({pictures[i], views.size() - 1 - i, column, surface.caption + ", " + views[i].caption});
@@ -333,8 +373,9 @@ void render_surface_grid(const std::filesystem::path& png, std::size_t count, st
         if (!one.points.empty())
         {
             const auto [center, half_width] = extent_of(one.points);
-            const vtkNew<vtkActor> body = body_of(polydata_of(one.points, one.triangles, one.scalar), scale);
-            const auto pictures = draw_views(body, center, half_width, {views.data(), 1}, tile_picture);
+            const std::array coloring{Coloring{one.scalar, &scale}};
+            const Pictures pictures =
+                draw_views(one.points, one.triangles, coloring, center, half_width, {views.data(), 1}, tile_picture);
             add_image(page, pictures.front(), left + (tile_width - tile_picture) / 2, bottom + tile_caption);
         }
         add_text(page, one.caption, left + 0.5 * tile_width, bottom + 0.5 * tile_caption,

@@ -5,6 +5,7 @@
 #include "corticle/io/pictures.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace corticle
@@ -156,9 +157,11 @@ void render_body(const std::filesystem::path& folder, const Body& body, const Bo
     const std::vector<double> shown =
         surface_values(body.cloud, by_thickness ? tissue.thickness : tissue.regional_rate);
     const double high = *std::max_element(shown.begin(), shown.end());
-    render_surface(folder / "surface.png", body.surface.vertices, body.surface.triangles, shown,
-                   {by_thickness ? "cortical thickness [mm]" : "regional growth", 0.0, std::max(high, 1e-3)},
-                   "Body at rest");
+    const std::array picture{
+        SurfacePicture{folder / "surface.png",
+                       shown,
+                       {by_thickness ? "cortical thickness [mm]" : "regional growth", 0.0, std::max(high, 1e-3)}}};
+    render_surface(body.surface.vertices, body.surface.triangles, picture, "Body at rest");
     render_quality(folder / "quality.png", quality);
 }
 

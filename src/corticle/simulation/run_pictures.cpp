@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -58,18 +59,18 @@ void render_frame(const std::filesystem::path& folder, const Frame& frame)
     std::filesystem::create_directories(pictures);
     const std::string title =
         fmt::format("t = {:.3f}", frame.t) + (std::isnan(frame.week) ? "" : fmt::format(", week {:.1f}", frame.week));
-    const auto draw = [&](const std::string& kind, std::span<const double> values, const ColorScale& scale)
-    {
-        render_surface(pictures / fmt::format("surface_{}_{}.png", kind, frame.name), frame.surface, frame.triangles,
-                       values, scale, title);
+    const auto picture = [&](const std::string& kind, std::span<const double> values, const ColorScale& scale) {
+        return SurfacePicture{pictures / fmt::format("surface_{}_{}.png", kind, frame.name), values, scale};
     };
-    draw("J", frame.surface_J, robust_scale("J = det F", frame.surface_J, "viridis"));
-    draw("growth", frame.surface_growth, robust_scale("growth g", frame.surface_growth, "viridis"));
-    draw("sulcal_depth", frame.sulcal_depth, robust_scale("sulcal depth [mm]", frame.sulcal_depth, "viridis"));
     ColorScale curvature = robust_scale("mean curvature [1/mm]", frame.mean_curvature, "coolwarm");
     curvature.high = std::max(curvature.high, -curvature.low); // 0 in the middle
     curvature.low = -curvature.high;
-    draw("mean_curvature", frame.mean_curvature, curvature);
+    const std::array surfaces{
+        picture("J", frame.surface_J, robust_scale("J = det F", frame.surface_J, "viridis")),
+        picture("growth", frame.surface_growth, robust_scale("growth g", frame.surface_growth, "viridis")),
+        picture("sulcal_depth", frame.sulcal_depth, robust_scale("sulcal depth [mm]", frame.sulcal_depth, "viridis")),
+        picture("mean_curvature", frame.mean_curvature, curvature)};
+    render_surface(frame.surface, frame.triangles, surfaces, title);
     render_cut(pictures / fmt::format("cut_{}.png", frame.name), middle_cut(frame, frame.particle_growth),
                robust_scale("growth g", frame.particle_growth, "viridis"), title);
 }
