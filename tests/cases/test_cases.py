@@ -32,6 +32,7 @@ FOLDED = 1.1
 # particles, where the books are kept to first order in the step. A force that is not the derivative of its energy breaks this.
 BALANCE = 0.02
 MOST_REJECTED_SHARE = 0.001
+UNCHANGED = ("onset_t", "area_ratio", "volume_ratio", "gi_sphere", "gi_hull")
 FILES = ("case.toml", "summary.json", "measures.csv", "surface.pvd", "particles.pvd", "checkpoint.h5", "run.log",
          *(f"{name % k}" for k in range(OUTPUTS + 1) for name in ("surface_%04d.vtp", "particles_%04d.vtu")))
 
@@ -118,6 +119,23 @@ def check_energy(bench, name, rows):
     bench.check(abs(balance - 1) < BALANCE, f"{name}: energies sum up to {balance:.4f} of the work of growth")
 
 
+def loading_test(bench):
+    """Loading faster after the onset leaves the measures as they are."""
+    measured = {}
+    for fastest in (1, 3):
+        bench.accepted("run", bench.source / "cases" / "sphere.toml", "--out", f"run{fastest}", "--quiet",
+                       "--set", f"geometry.particles={PARTICLES}", "--set", "output.pictures=off",
+                       "--set", f"solver.fastest_loading={fastest}", timeout=1500)
+        measured[fastest] = json.loads((bench.folder / f"run{fastest}" / "summary.json").read_text(encoding="utf-8"))
+    careful, fast = measured[1], measured[3]
+    bench.check(fast["steps"] < 0.85 * careful["steps"], f"{fast['steps']} steps, {careful['steps']} with constant loading")
+    for key in UNCHANGED:
+        ratio = fast[key] / careful[key]
+        bench.check(abs(ratio - 1) < 0.01, f"{key} is {fast[key]}, {careful[key]} with constant loading")
+    print(f"faster loading: {careful['steps']} -> {fast['steps']} steps, " +
+          ", ".join(f"{key} {fast[key] / careful[key] - 1:+.2%}" for key in UNCHANGED), flush=True)
+
+
 def case_test(file):
     def test(bench):
         case = tomllib.loads(file.read_text(encoding="utf-8"))
@@ -142,4 +160,4 @@ def case_test(file):
 if __name__ == "__main__":
     here = Path(__file__).resolve().parents[2]
     source = Path(sys.argv[sys.argv.index("--source") + 1]).resolve() if "--source" in sys.argv[:-1] else here
-    _command.main(__doc__, *map(case_test, case_files(source)))
+    _command.main(__doc__, loading_test, *map(case_test, case_files(source)))

@@ -28,6 +28,7 @@ inline void expect_same_bits(const Simulation& a, const Simulation& b)
     EXPECT_EQ(a.state().books.growth_work, b.state().books.growth_work);
     EXPECT_EQ(a.state().books.dissipated, b.state().books.dissipated);
     EXPECT_EQ(a.state().lowest_gi_sphere, b.state().lowest_gi_sphere);
+    EXPECT_EQ(a.state().loading_rate, b.state().loading_rate);
     EXPECT_EQ(a.step_size(), b.step_size());
     EXPECT_EQ(a.internal().elastic_energy, b.internal().elastic_energy);
     EXPECT_EQ(a.contact().active, b.contact().active);

@@ -162,5 +162,48 @@ TEST(Simulation, LoadingTimeIsCountedInCrossingsOfTheBody)
     EXPECT_NEAR(simulation.total_time() / (40.0 * 12.496 / std::sqrt(5.0 + 4.0 / 3.0)), 1.0, 1e-9);
 }
 
+TEST(Simulation, LoadsFasterOnceFoldsHaveAppeared)
+{
+    Options options = test::sphere_options(2500);
+    Body body = test::small_sphere();
+    Simulation simulation(body, options);
+    while (simulation.state().t < 0.2)
+    {
+        simulation.step(0.2);
+    }
+    EXPECT_EQ(simulation.state().loading_rate, 1.0);
+
+    State folded = simulation.state();
+    folded.onset_t = 0.2;
+    simulation.restore(folded);
+    double last = 1.0;
+    while (simulation.state().t < 0.3)
+    {
+        simulation.step(0.3);
+        const double rate = simulation.state().loading_rate;
+        ASSERT_NEAR(rate / last, 1.0, 0.05); // no jolts
+        ASSERT_LE(rate, options.dynamics.fastest_loading);
+        last = rate;
+    }
+    EXPECT_GT(last, 1.5);
+    const double step_in_t = simulation.step_size();
+
+    State snapping = simulation.state();
+    for (Vec3& v : snapping.motion.v)
+    {
+        v = 10.0 * v;
+    }
+    simulation.restore(snapping);
+    EXPECT_EQ(simulation.step_size(), step_in_t);
+    take_steps(simulation, 10);
+    EXPECT_LT(simulation.state().loading_rate, last);
+
+    options.dynamics.fastest_loading = 1.0;
+    Simulation constant(body, options);
+    constant.restore(folded);
+    take_steps(constant, 10);
+    EXPECT_EQ(constant.state().loading_rate, 1.0);
+}
+
 } // namespace
 } // namespace corticle

@@ -198,6 +198,10 @@ std::vector<Parameter> solver_parameters()
         parameter("solver.loading_time", "crossings", between(1.0, 100000.0),
                   "Time given to t = 0..1, in crossings of the body by a pressure wave.",
                   CORTICLE_MEMBER(dynamics.loading_time)),
+        parameter(
+            "solver.fastest_loading", "", between(1.0, 10.0),
+            "Loading at most so many times faster, once folds have appeared and while they move slowly; 1: never.",
+            CORTICLE_MEMBER(dynamics.fastest_loading)),
         parameter("solver.damping", "", between(0.0, 100000.0), "Damping rate times the time given to t = 0..1.",
                   CORTICLE_MEMBER(dynamics.damping)),
         parameter("solver.max_halvings", "", between(0.0, 60.0),

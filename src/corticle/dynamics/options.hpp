@@ -18,6 +18,7 @@ struct DynamicsOptions
     double time_step = 0.0;        ///< fixed step [t]; 0: as large as the state allows
     double cfl = 0.6;              ///< safety factor of the step
     double loading_time = 50.0;    ///< c_p T / R: time given to t = 0..1, in crossings of the body by a pressure wave
+    double fastest_loading = 3.0;  ///< at most, once folds have appeared and while they move slowly [1/T]
     double damping = 50.0;         ///< gamma T
     std::int64_t max_halvings = 8; ///< consecutive halvings of the step before a run gives up
 };

@@ -44,7 +44,8 @@ Checkpoint to_checkpoint(const State& state, std::span<const Measures> rows, con
                                    state.books.growth_work,
                                    state.books.dissipated,
                                    state.lowest_gi_sphere,
-                                   state.onset_t};
+                                   state.onset_t,
+                                   state.loading_rate};
     checkpoint.integers["counters"] = {state.steps, state.rejected_steps, static_cast<std::int64_t>(rows.size())};
     for (const MeasureColumn& column : measure_columns())
     {
@@ -63,13 +64,14 @@ Restored from_checkpoint(const Checkpoint& checkpoint, std::size_t particles, co
     State& state = restored.state;
     state.motion.x = entry(checkpoint.vectors, "position", particles, file);
     state.motion.v = entry(checkpoint.vectors, "velocity", particles, file);
-    const std::vector<double>& clock = entry(checkpoint.scalars, "clock", 7, file);
+    const std::vector<double>& clock = entry(checkpoint.scalars, "clock", 8, file);
     state.t = clock[0];
     state.step_scale = clock[1];
     state.kinetic_energy = clock[2];
     state.books = {clock[3], clock[4]};
     state.lowest_gi_sphere = clock[5];
     state.onset_t = clock[6];
+    state.loading_rate = clock[7];
     const std::vector<std::int64_t>& counters = entry(checkpoint.integers, "counters", 3, file);
     state.steps = counters[0];
     state.rejected_steps = counters[1];

@@ -14,8 +14,8 @@ namespace
 {
 
 constexpr int timed_steps = 10;
-constexpr double steps_over_first =
-    4.0; ///< a fold's steps over those its first step size would give: growth and creases shorten steps
+constexpr double steps_over_first = 2.5;  ///< a fold's steps over those its first step size would give: growth and
+                                          ///< creases shorten steps, loading quickens
 constexpr double contact_surcharge = 1.2; ///< time of a step with folds that touch, over one without
 
 } // namespace

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <numbers>
 
@@ -18,8 +19,10 @@ namespace
 
 constexpr std::int64_t onset_interval = 10; ///< steps between looks at the sphere index
 constexpr double onset_rise = 0.01;
-constexpr double rounding = 1e-12;     ///< of t: a remainder this small is no step of its own
-constexpr double step_recovery = 1.05; ///< factor by which a halved step grows back, per step
+constexpr double rounding = 1e-12;      ///< of t: a remainder this small is no step of its own
+constexpr double kinetic_share = 1e-3;  ///< kinetic over elastic energy that loading after the onset aims at
+constexpr double adjusting_time = 0.03; ///< growth time [t] in which its rate follows
+constexpr double step_recovery = 1.05;  ///< factor by which a halved step grows back, per step
 
 std::vector<double> gather(std::span<const double> values, std::span<const std::int32_t> at)
 {
@@ -126,13 +129,14 @@ bool Simulation::evaluate(Motion& motion, double t)
 /// Where a step from the present state to `t` leads; nothing where it inverts a particle on the way.
 std::optional<StepEnergies> Simulation::propose(double t, double dt)
 {
+    const double damping = damping_ / state_.loading_rate; // drag on what moves as growth does stays the same
     if (options_.dynamics.integrator == Integrator::symplectic_euler)
     {
-        return advance(state_.motion, mass_, travel_limit_, dt, damping_, proposed_);
+        return advance(state_.motion, mass_, travel_limit_, dt, damping, proposed_);
     }
     const double start = state_.t;
     return runge_kutta_.advance(
-        state_.motion, mass_, dt, damping_,
+        state_.motion, mass_, dt, damping,
         [&](Motion& stage, double part) { return evaluate(stage, start + part * (t - start)); }, proposed_);
 }
 
@@ -144,9 +148,9 @@ void Simulation::step(double t_stop)
     const double contact_power = contact_response_.dissipated_power;
     for (std::int64_t halvings = 0;; ++halvings)
     {
-        const double full = allowed * state_.step_scale / total_time_;
+        const double full = allowed * state_.step_scale * state_.loading_rate / total_time_;
         const double t = t_stop - state_.t <= full * (1.0 + rounding) ? t_stop : state_.t + full;
-        const double dt = (t - state_.t) * total_time_;
+        const double dt = (t - state_.t) * total_time_ / state_.loading_rate;
         const std::optional<StepEnergies> energies = propose(t, dt);
         if (energies && evaluate(proposed_, t))
         {
@@ -161,6 +165,7 @@ void Simulation::step(double t_stop)
             state_.books.dissipated += energies->damped + energies->stopped + damped_by_contact - stiffened +
                                        0.5 * (viscous_power + viscous_power_) * dt;
             state_.kinetic_energy = energies->kinetic;
+            adjust_loading(t - state_.t);
             state_.t = t;
             ++state_.steps;
             state_.step_scale = std::min(1.0, state_.step_scale * step_recovery);
@@ -173,6 +178,20 @@ void Simulation::step(double t_stop)
         }
         state_.step_scale *= 0.5;
         ++state_.rejected_steps;
+    }
+}
+
+/// Before folds have appeared the loading keeps its pace: an instability needs time to grow. Then it follows the rate
+/// at which the kinetic energy, which goes with its square, would be a given share of the elastic one.
+void Simulation::adjust_loading(double growth_step)
+{
+    if (state_.onset_t >= 0.0 && options_.dynamics.time_step <= 0.0)
+    {
+        const double aim = kinetic_share * internal_.elastic_energy;
+        const double kinetic = std::max(state_.kinetic_energy, std::numeric_limits<double>::min());
+        const double wanted =
+            std::clamp(state_.loading_rate * std::sqrt(aim / kinetic), 1.0, options_.dynamics.fastest_loading);
+        state_.loading_rate += std::min(1.0, growth_step / adjusting_time) * (wanted - state_.loading_rate);
     }
 }
 

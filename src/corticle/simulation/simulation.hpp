@@ -35,7 +35,7 @@ class Simulation
     const ContactResponse& contact() const { return contact_response_; }
     double total_time() const { return total_time_; }
     /// Step the state allows now, in growth time [-].
-    double step_size() const { return critical_dt_ * state_.step_scale / total_time_; }
+    double step_size() const { return critical_dt_ * state_.step_scale * state_.loading_rate / total_time_; }
 
     std::vector<Mat3> deformation_gradients() const { return solver_->deformation_gradients(state_.motion.x); }
     std::vector<Vec3> surface_positions() const;
@@ -43,6 +43,7 @@ class Simulation
   private:
     bool evaluate(Motion& motion, double t);
     std::optional<StepEnergies> propose(double t, double dt);
+    void adjust_loading(double growth_step);
     void note_onset();
     [[noreturn]] void give_up(const Motion& motion, double t, double dt) const;
 

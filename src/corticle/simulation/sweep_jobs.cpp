@@ -33,7 +33,7 @@ constexpr useconds_t pause_us = 20000; // between looks at the processes
 // For estimates of cost.
 constexpr double volume_of_a_file = 8000.0; // [mm³]
 constexpr double elements_per_node = 5.0;
-constexpr double steps_per_crossing = 2.8; // over the particles along the radius and cfl
+constexpr double steps_per_crossing = 1.7; // over the particles along the radius and cfl
 
 bool is_locked(const fs::path& folder)
 {
