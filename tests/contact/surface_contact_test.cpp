@@ -249,5 +249,41 @@ TEST(SurfaceContact, HistoryLeavesNoTrace)
     }
 }
 
+TEST(SurfaceContact, NoPairIsMissedWhereSomeVerticesWander)
+{
+    const Banks rest(2.0);
+    SurfaceContact used = contact_of(rest);
+    std::vector<Vec3> x = Banks(0.25).mesh.vertices;
+    std::vector<Vec3> way(x.size());
+    int touched = 0;
+    for (std::uint64_t step = 0; step < 400; ++step)
+    {
+        for (std::size_t k = 0; k < x.size(); ++k)
+        {
+            // A few go fast, each for a while, the others creep; all are held to some 0.2 around where they began.
+            const double pace = hash_uniform(k, step / 20) < 0.1 ? 0.03 : 0.002;
+            const Vec3 push{hash_uniform(3 * k, step) - 0.5, hash_uniform(3 * k + 1, step) - 0.5,
+                            hash_uniform(3 * k + 2, step) - 0.5};
+            const Vec3 next = way[k] + pace * push;
+            way[k] = norm(next) < 0.2 ? next : way[k];
+        }
+        std::vector<Vec3> now = x;
+        for (std::size_t k = 0; k < x.size(); ++k)
+        {
+            now[k] += way[k];
+        }
+        const Evaluated kept = evaluate(used, now);
+        if (step % 4 == 0)
+        {
+            SurfaceContact fresh = contact_of(rest);
+            const Evaluated expected = evaluate(fresh, now);
+            ASSERT_EQ(kept.forces, expected.forces) << step;
+            ASSERT_EQ(kept.limits, expected.limits) << step;
+            touched += expected.response.active > 0 ? 1 : 0;
+        }
+    }
+    EXPECT_GT(touched, 90);
+}
+
 } // namespace
 } // namespace corticle

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -20,24 +21,26 @@ struct Box
     Vec3 high;
 };
 
-/// A uniform grid over boxes: finds those that overlap a query box, each once.
+/// A uniform grid over boxes: finds those that overlap a query box. Each box lies in the cell of its lower corner, so
+/// those of a row of cells follow each other in memory.
 class BoxGrid
 {
   public:
-    BoxGrid(std::span<const Box> boxes, double cell_size) : boxes_(boxes)
+    BoxGrid(std::span<const Box> boxes, double cell_size)
     {
-        Box all{{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}};
+        Box corners{{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}}; // around the lower corners
         for (const Box& box : boxes)
         {
             for (int axis = 0; axis < 3; ++axis)
             {
-                all.low[axis] = std::min(std::as_const(all.low)[axis], box.low[axis]);
-                all.high[axis] = std::max(std::as_const(all.high)[axis], box.high[axis]);
+                corners.low[axis] = std::min(std::as_const(corners.low)[axis], box.low[axis]);
+                corners.high[axis] = std::max(std::as_const(corners.high)[axis], box.low[axis]);
+                largest_[axis] = std::max(std::as_const(largest_)[axis], box.high[axis] - box.low[axis]);
             }
         }
-        origin_ = all.low;
+        origin_ = corners.low;
         // At most some millions of cells, however large the body.
-        const Vec3 extent = all.high - all.low;
+        const Vec3 extent = corners.high - corners.low;
         const double coarsest = std::cbrt(extent.x * extent.y * extent.z / 4e6);
         inverse_cell_ = 1.0 / std::max(cell_size, coarsest);
         for (int axis = 0; axis < 3; ++axis)
@@ -49,57 +52,75 @@ class BoxGrid
                               static_cast<std::size_t>(size_[2]) +
                           1,
                       0);
-        for (const Box& box : boxes)
+        std::vector<std::int32_t> cell(boxes.size());
+        for (std::size_t k = 0; k < boxes.size(); ++k)
         {
-            for_cells(cell_of(box.low), cell_of(box.high), [&](std::size_t cell) { ++begin_[cell + 1]; });
+            const Cell at = cell_of(boxes[k].low);
+            cell[k] = static_cast<std::int32_t>(flat(at[0], at[1], at[2]));
+            ++begin_[static_cast<std::size_t>(cell[k]) + 1];
         }
-        for (std::size_t cell = 1; cell < begin_.size(); ++cell)
+        for (std::size_t c = 1; c < begin_.size(); ++c)
         {
-            begin_[cell] += begin_[cell - 1];
+            begin_[c] += begin_[c - 1];
         }
-        item_.resize(static_cast<std::size_t>(begin_.back()));
+        items_.resize(boxes.size());
         std::vector<std::int32_t> fill(begin_.begin(), begin_.end() - 1);
         for (std::size_t k = 0; k < boxes.size(); ++k)
         {
-            for_cells(cell_of(boxes[k].low), cell_of(boxes[k].high),
-                      [&](std::size_t cell)
-                      { item_[static_cast<std::size_t>(fill[cell]++)] = static_cast<std::int32_t>(k); });
+            items_[static_cast<std::size_t>(fill[static_cast<std::size_t>(cell[k])]++)] =
+                item(boxes[k], static_cast<std::int32_t>(k));
         }
     }
 
     /// Calls found(k) for every box k > above that overlaps the query, once each, in an order that depends on the
-    /// boxes alone.
+    /// boxes alone; also for one that misses it by the rounding of a float.
     template <class Found>
     void query(const Box& box, std::int32_t above, Found&& found) const
     {
-        const Cell low = cell_of(box.low);
-        for_cells(low, cell_of(box.high),
-                  [&](std::size_t cell)
-                  {
-                      // Items ascend within a cell: from the back, the first that is too low ends the search.
-                      for (std::int32_t m = begin_[cell + 1] - 1; m >= begin_[cell]; --m)
-                      {
-                          const std::int32_t k = item_[static_cast<std::size_t>(m)];
-                          if (k <= above)
-                          {
-                              break;
-                          }
-                          const Box& other = boxes_[static_cast<std::size_t>(k)];
-                          if (overlap(box, other) && first_common_cell(low, cell_of(other.low)) == cell)
-                          {
-                              found(k);
-                          }
-                      }
-                  });
+        const Item asked = item(box, above);
+        const Cell low = cell_of(box.low - largest_);
+        const Cell high = cell_of(box.high);
+        for (std::int32_t z = low[2]; z <= high[2]; ++z)
+        {
+            for (std::int32_t y = low[1]; y <= high[1]; ++y)
+            {
+                const std::int32_t end = begin_[flat(high[0], y, z) + 1];
+                for (std::int32_t m = begin_[flat(low[0], y, z)]; m < end; ++m)
+                {
+                    const Item& other = items_[static_cast<std::size_t>(m)];
+                    if (other.index > above && overlap(asked, other))
+                    {
+                        found(other.index);
+                    }
+                }
+            }
+        }
     }
 
   private:
     using Cell = std::array<std::int32_t, 3>;
-
-    static bool overlap(const Box& a, const Box& b)
+    using Corner = std::array<float, 3>;
+    struct Item
     {
-        return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
-               a.low.z <= b.high.z && b.low.z <= a.high.z;
+        Corner low;  ///< not above that of the box
+        Corner high; ///< not below
+        std::int32_t index;
+    };
+
+    static Corner rounded(const Vec3& p, float towards)
+    {
+        return {std::nextafter(static_cast<float>(p.x), towards), std::nextafter(static_cast<float>(p.y), towards),
+                std::nextafter(static_cast<float>(p.z), towards)};
+    }
+    static Item item(const Box& box, std::int32_t index)
+    {
+        constexpr float most = std::numeric_limits<float>::infinity();
+        return {rounded(box.low, -most), rounded(box.high, most), index};
+    }
+    static bool overlap(const Item& a, const Item& b)
+    {
+        return a.low[0] <= b.high[0] && b.low[0] <= a.high[0] && a.low[1] <= b.high[1] && b.low[1] <= a.high[1] &&
+               a.low[2] <= b.high[2] && b.low[2] <= a.high[2];
     }
     Cell cell_of(const Vec3& p) const
     {
@@ -119,31 +140,13 @@ class BoxGrid
                static_cast<std::size_t>(size_[0]) *
                    (static_cast<std::size_t>(y) + static_cast<std::size_t>(size_[1]) * static_cast<std::size_t>(z));
     }
-    std::size_t first_common_cell(const Cell& a, const Cell& b) const
-    {
-        return flat(std::max(a[0], b[0]), std::max(a[1], b[1]), std::max(a[2], b[2]));
-    }
-    template <class Visit>
-    void for_cells(const Cell& low, const Cell& high, Visit&& visit) const
-    {
-        for (std::int32_t z = low[2]; z <= high[2]; ++z)
-        {
-            for (std::int32_t y = low[1]; y <= high[1]; ++y)
-            {
-                for (std::int32_t x = low[0]; x <= high[0]; ++x)
-                {
-                    visit(flat(x, y, z));
-                }
-            }
-        }
-    }
 
-    std::span<const Box> boxes_;
     Vec3 origin_;
+    Vec3 largest_; ///< edges of the boxes
     double inverse_cell_ = 1.0;
     Cell size_{};
     std::vector<std::int32_t> begin_;
-    std::vector<std::int32_t> item_;
+    std::vector<Item> items_;
 };
 
 } // namespace corticle

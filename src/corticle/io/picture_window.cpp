@@ -195,6 +195,7 @@ void save_picture(vtkRenderWindow* window, const std::filesystem::path& png)
     grab->SetInputBufferTypeToRGB();
     grab->ReadFrontBufferOff();
     vtkNew<vtkPNGWriter> writer;
+    writer->SetCompressionLevel(3);
     writer->SetInputConnection(grab->GetOutputPort());
     writer->WriteToMemoryOn();
     writer->Write();
