@@ -35,6 +35,8 @@ def schema(bench):
     for key in ("radius_mm", "lambda", "zeta", "distance", "end", "checkpoint_minutes"):
         bench.check(key in text, f"schema lacks {key}")
         bench.check(f"| `{key}` |" in markdown, f"schema --markdown lacks {key}")
+    page = (bench.source / "docs" / "guide" / "parameters.md").read_text(encoding="utf-8")
+    bench.check(page.endswith(markdown.lstrip("\n")), "docs/guide/parameters.md is not what schema --markdown prints")
 
 
 def starter(bench):
