@@ -17,7 +17,7 @@ from pathlib import Path
 # Every benchmark but those of the machine takes the number of particles (or elements), 4000 for the quick run.
 QUICK = r"(^fma_peak|^triad/1|/4000)(/|$)"
 REPETITIONS = 3  # the fastest counts: whatever else the machine does only adds time
-COLUMNS = ("benchmark", "particles", "ms", "us/particle-step", "ns/pair", "GB/s", "of triad", "GFLOP/s", "of peak")
+COLUMNS = ("benchmark", "particles, tets", "ms", "us/particle-step", "ns/tet-step", "ns/pair", "GB/s", "of triad", "GFLOP/s", "of peak")
 
 
 def environment():
@@ -103,7 +103,8 @@ def cells(row, machine):
     rate, flops = row.get("GB_per_s"), row.get("GFLOP_per_s")
     in_memory = "working_set_MB" in row and stem(row) != "triad"  # files are not held against memory
     size = f"{row['working_set_MB']:,.0f} MB" if stem(row) == "triad" else f"{argument(row):,}" if argument(row) else ""
-    return (stem(row), size, number(milliseconds), number(row.get("us_per_particle_step")), number(row.get("ns_per_pair")),
+    return (stem(row), size, number(milliseconds), number(row.get("us_per_particle_step")),
+            number(row.get("ns_per_tet")), number(row.get("ns_per_pair")),
             number(rate), share(rate, machine.bandwidth(row["working_set_MB"])) if in_memory else "", number(flops),
             share(flops, machine.peak) if stem(row) != "fma_peak" else "")
 
