@@ -155,7 +155,7 @@ def table_6(results):
     lines += ["| {} | {:,.2f} | {:,.2f} | {:.2f} | {:.2f} | {} |".format(*row) for row in reference.TABLE_6]
     for result in results:
         m = at(result, 1.0)
-        lines.append(f"| ours, {result['name']} | {m['area_mm2']:,.2f} | {m['volume_mm3']:,.2f} | "
+        lines.append(f"| ours, ({result['case']}), {result['name']} | {m['area_mm2']:,.2f} | {m['volume_mm3']:,.2f} | "
                      f"{m['area_mm2'] / m['volume_mm3']:.2f} | {m['gi_hull']:.2f} | 1 |")
     return "\n".join(lines) + "\n"
 
