@@ -165,14 +165,18 @@ def finest(results, case, method):
     return max(found, key=lambda r: r["size"], default=None)
 
 
+COARSER = 1.2               # than the finest: a line needs two points apart
+
+
 def limit_table(results, case):
-    """The line through the two finest runs of each method, at spacing 0: what both tend to."""
+    """The line through the finest run of each method and the next that is clearly coarser, at spacing 0: what both tend to."""
     lines = []
     for t in SHOWN:
         for heading, key in (("area ratio", "area_ratio"), ("volume ratio", "volume_ratio"), ("sphere index", "gi_sphere")):
             limits = {}
             for method in ("sph", "fem"):
-                runs = sorted((r for r in results if (r["case"], r["method"]) == (case, method)), key=lambda r: r["spacing_mm"])[:2]
+                runs = sorted((r for r in results if (r["case"], r["method"]) == (case, method)), key=lambda r: r["spacing_mm"])
+                runs = runs[:1] + [r for r in runs if r["spacing_mm"] > COARSER * runs[0]["spacing_mm"]][:1]
                 if len(runs) == 2:
                     (h1, v1), (h2, v2) = ((r["spacing_mm"], at(r, t)[key]) for r in runs)
                     limits[method] = v1 + (v1 - v2) / (h2 - h1) * h1
