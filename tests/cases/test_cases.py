@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Each of cases/*.toml and thesis/corrected.toml, at 6,000 particles and to its end, against its own [expect] and what any sound run shows."""
+"""The sphere with constant and with quickening loading; each of cases/*.toml and thesis/corrected.toml, at 6,000 particles and to its end, against its own [expect] and what any sound run shows."""
 
 import csv
 import json

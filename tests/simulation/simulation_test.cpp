@@ -15,12 +15,15 @@ namespace corticle
 namespace
 {
 
-/// Positions a little rough, so that no symmetry hides anything.
+/// Positions a little rough, so that no symmetry hides anything; folds are said to be there, so that the loading is
+/// free.
 State rough_start(const Body& body, double amplitude)
 {
     State state;
     state.motion.x = test::perturbed(body.cloud.positions, amplitude * body.cloud.spacing);
     state.motion.v.resize(state.motion.x.size());
+    state.onset_t = 0.0;
+    state.loading_rate = 2.0;
     return state;
 }
 
@@ -41,6 +44,7 @@ TEST(Simulation, OneAndTwoThreadsGiveTheSameBits)
     two.restore(rough_start(body, 0.05));
     take_steps(two, 50);
     set_thread_count(threads);
+    EXPECT_GT(one.state().loading_rate, 1.0);
     expect_same_bits(one, two);
 }
 
@@ -59,6 +63,7 @@ TEST(Simulation, GoesOnFromACheckpointToTheSameBits)
     std::vector<Measures> rows(2);
     rows[1].area_mm2 = 17.25;
     const Checkpoint checkpoint = to_checkpoint(whole.state(), rows, "case");
+    EXPECT_GT(whole.state().loading_rate, 1.0);
     take_steps(whole, 25);
 
     const Restored restored = from_checkpoint(checkpoint, body.cloud.positions.size(), "checkpoint.h5");

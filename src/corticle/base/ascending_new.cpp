@@ -4,6 +4,7 @@
 #include <sys/mman.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <new>
 
@@ -61,6 +62,18 @@ void* operator new(std::size_t size)
     }
 }
 
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept
+{
+    try
+    {
+        return operator new(size);
+    }
+    catch (...)
+    {
+        return nullptr;
+    }
+}
+
 void operator delete(void* block) noexcept
 {
     if (!arena.holds(block))
@@ -74,20 +87,28 @@ void operator delete(void* block, std::size_t) noexcept
     operator delete(block);
 }
 
+void operator delete(void* block, const std::nothrow_t&) noexcept
+{
+    operator delete(block);
+}
+
 namespace corticle
 {
 
 void make_new_ascend()
 {
-    // Limits on address space may refuse much.
-    for (std::size_t size = std::size_t{1} << 36; size >= std::size_t{1} << 24; size /= 2)
+    constexpr std::size_t most = std::size_t{1} << 36;
+    void* const same_in_every_process = reinterpret_cast<void*>(std::uintptr_t{1} << 45); // where that is free
+    for (std::size_t size = most; size >= std::size_t{1} << 26; size /= 2)
     {
-        void* const space =
-            mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+        void* const space = mmap(same_in_every_process, size, PROT_READ | PROT_WRITE,
+                                 MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
         if (space != MAP_FAILED)
         {
             arena.begin = arena.next = static_cast<char*>(space);
-            arena.end = arena.begin + size;
+            const std::size_t kept = size == most ? size : size / 4; // where space is limited, malloc needs some, too
+            munmap(arena.begin + kept, size - kept);
+            arena.end = arena.begin + kept;
             return;
         }
     }

@@ -146,7 +146,7 @@ TetMesh tetrahedralize(const TriangleMesh& surface, std::int64_t nodes)
     if (mesh.tets.empty())
     {
         throw InputError(fmt::format("surface of {} triangles: Gmsh cannot fill it with tetrahedra; expected a closed "
-                                     "surface that does not cross itself",
+                                     "surface that does not cross itself, and enough memory",
                                      surface.triangles.size()));
     }
     return mesh;

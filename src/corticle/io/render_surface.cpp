@@ -217,8 +217,11 @@ Pictures draw_views(std::span<const Vec3> points, std::span<const Triangle> tria
     }
 
     body->GetProperty()->LightingOff();
+    body->GetProperty()->SetAmbient(1.0);
+    body->GetProperty()->SetDiffuse(0.0);
     body->GetMapper()->ScalarVisibilityOn();
     renderer->SetBackground(1, 1, 1);
+    renderer->GetPass()->ReleaseGraphicsResources(window);
     renderer->SetPass(nullptr);
     Pictures pictures;
     for (const Coloring& coloring : colorings)

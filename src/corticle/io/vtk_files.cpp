@@ -65,7 +65,7 @@ void write(const std::filesystem::path& file, vtkDataObject* data)
     writer->SetDataModeToAppended();
     writer->EncodeAppendedDataOff();
     writer->SetCompressorTypeToZLib();
-    writer->SetCompressionLevel(1); // more takes three times as long for a few percent of doubles
+    writer->SetCompressionLevel(1); // more takes three times as long, for 1 %
     writer->SetHeaderTypeToUInt64();
     if (writer->Write() != 1 || writer->GetErrorCode() != vtkErrorCode::NoError)
     {

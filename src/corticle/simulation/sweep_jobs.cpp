@@ -33,7 +33,7 @@ constexpr useconds_t pause_us = 20000; // between looks at the processes
 // For estimates of cost.
 constexpr double volume_of_a_file = 8000.0; // [mm³]
 constexpr double elements_per_node = 5.0;
-constexpr double steps_per_crossing = 1.7; // over the particles along the radius and cfl
+constexpr double steps_per_crossing = 2.8; // over the particles along the radius and cfl
 
 bool is_locked(const fs::path& folder)
 {
@@ -229,9 +229,10 @@ double relative_cost(const Options& options)
     const double spacing = std::cbrt(volume / particles);
     const double neighbors = std::pow(support_mm(options.tlsph, spacing) / spacing, 3.0);
     const double span = std::max(options.time.end - options.time.start, 1e-6);
-    const double steps = dynamics.time_step > 0.0
-                             ? span / dynamics.time_step
-                             : span * steps_per_crossing * dynamics.loading_time * std::cbrt(particles) / dynamics.cfl;
+    const double quickening = dynamics.fastest_loading > 1.0 ? 0.6 : 1.0;
+    const double steps = dynamics.time_step > 0.0 ? span / dynamics.time_step
+                                                  : span * quickening * steps_per_crossing * dynamics.loading_time *
+                                                        std::cbrt(particles) / dynamics.cfl;
     const double stages = dynamics.integrator == Integrator::rk4 ? 4.0 : 1.0;
     return particles * neighbors * steps * stages;
 }
