@@ -231,7 +231,7 @@ def main():
         chosen = [r for r in results if r["case"] == case]
         if chosen:
             sections += [(f"({case}) {name}: what is measured", convergence_table(chosen)),
-                         (f"({case}) {name}: the line through the two finest, at spacing 0", limit_table(results, case)),
+                         (f"({case}) {name}: the line through the finest and the next clearly coarser, at spacing 0", limit_table(results, case)),
                          (f"({case}) {name}: controls and cost", control_table(chosen))]
             plots(results, case, arguments.results / f"convergence_{case}.svg")
             sections.append((f"({case}) {name}: curves", f"![](convergence_{case}.svg)\n"))
