@@ -19,6 +19,15 @@ Body sphere_of_tets(std::int64_t tets, Options& options)
     return prepare_body(options);
 }
 
+void by_tets(benchmark::internal::Benchmark* made)
+{
+    for (const std::int64_t tets : {4000, 50000, 223000})
+    {
+        made->Arg(tets);
+    }
+    made->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
+}
+
 void report(benchmark::State& state, const Body& body)
 {
     const auto each = static_cast<double>(state.iterations());
@@ -40,13 +49,7 @@ void tet_forces(benchmark::State& state)
     }
     report(state, body);
 }
-BENCHMARK(tet_forces)
-    ->Arg(4000)
-    ->Arg(50000)
-    ->Arg(223000)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime()
-    ->MeasureProcessCPUTime();
+BENCHMARK(tet_forces)->Apply(by_tets);
 
 /// A whole step of the unfolded sphere: forces, contact search, integration.
 void tet_step(benchmark::State& state)
@@ -60,13 +63,7 @@ void tet_step(benchmark::State& state)
     }
     report(state, body);
 }
-BENCHMARK(tet_step)
-    ->Arg(4000)
-    ->Arg(50000)
-    ->Arg(223000)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime()
-    ->MeasureProcessCPUTime();
+BENCHMARK(tet_step)->Apply(by_tets);
 
 } // namespace
 } // namespace corticle

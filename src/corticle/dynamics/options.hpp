@@ -23,4 +23,10 @@ struct DynamicsOptions
     std::int64_t max_halvings = 8; ///< consecutive halvings of the step before a run gives up
 };
 
+/// Steps of a fold over those with a constant rate of loading, about.
+inline double quickened_steps(const DynamicsOptions& options)
+{
+    return options.fastest_loading > 1.0 ? 0.625 : 1.0;
+}
+
 } // namespace corticle

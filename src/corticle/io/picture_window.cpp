@@ -179,10 +179,10 @@ vtkSmartPointer<vtkImageData> grab_picture(vtkRenderWindow* window, int samples)
 
 void multiply(vtkImageData* image, vtkImageData* other, double factor)
 {
-    const std::array<int, 3> size{image->GetDimensions()[0], image->GetDimensions()[1], 3};
+    const auto count = static_cast<std::ptrdiff_t>(3) * image->GetDimensions()[0] * image->GetDimensions()[1];
     auto* const to = static_cast<unsigned char*>(image->GetScalarPointer());
     const auto* const by = static_cast<const unsigned char*>(other->GetScalarPointer());
-    for (std::ptrdiff_t k = 0; k < static_cast<std::ptrdiff_t>(size[0]) * size[1] * size[2]; ++k)
+    for (std::ptrdiff_t k = 0; k < count; ++k)
     {
         to[k] = byte_of(std::min(1.0, factor * to[k] * by[k] / (255.0 * 255.0)));
     }

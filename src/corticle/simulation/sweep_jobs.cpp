@@ -229,10 +229,9 @@ double relative_cost(const Options& options)
     const double spacing = std::cbrt(volume / particles);
     const double neighbors = std::pow(support_mm(options.tlsph, spacing) / spacing, 3.0);
     const double span = std::max(options.time.end - options.time.start, 1e-6);
-    const double quickening = dynamics.fastest_loading > 1.0 ? 0.6 : 1.0;
     const double steps = dynamics.time_step > 0.0 ? span / dynamics.time_step
-                                                  : span * quickening * steps_per_crossing * dynamics.loading_time *
-                                                        std::cbrt(particles) / dynamics.cfl;
+                                                  : span * quickened_steps(dynamics) * steps_per_crossing *
+                                                        dynamics.loading_time * std::cbrt(particles) / dynamics.cfl;
     const double stages = dynamics.integrator == Integrator::rk4 ? 4.0 : 1.0;
     return particles * neighbors * steps * stages;
 }
