@@ -109,7 +109,7 @@ void surface_measures(benchmark::State& state)
     count_particles(state, static_cast<double>(F.size()));
 }
 
-/// The files of an output time, compressed as in a run.
+/// The files of an output time.
 void frame_files(benchmark::State& state)
 {
     const Simulation& simulation = *made_for<StandardSphere>(state.range(0)).simulation;
@@ -119,7 +119,7 @@ void frame_files(benchmark::State& state)
     for (auto _ : state)
     {
         const Frame frame = make_frame(simulation, F, physical_scale(simulation), "0000");
-        write_frame(folder.path(), simulation, F, frame, arrays);
+        write_frame(folder.path(), simulation, frame, arrays);
     }
     count_particles(state, static_cast<double>(F.size()));
     report_files(state, folder);

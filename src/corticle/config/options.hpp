@@ -62,7 +62,7 @@ struct OutputOptions
     std::vector<double> weeks;   ///< instead of count, with a clock
     std::string pictures = "on"; ///< "on" | "off"
     std::vector<double>
-        picture_times; ///< output times that get pictures (the nearest); empty: about five, evenly spaced
+        picture_times; ///< output times that get pictures (the nearest); empty: the last
     double checkpoint_minutes = 5.0;
 };
 

@@ -269,7 +269,7 @@ std::vector<Parameter> other_parameters()
                   CORTICLE_MEMBER(output.weeks)),
         choice("output.pictures", {"on", "off"}, "Whether pictures are drawn.", CORTICLE_MEMBER(output.pictures)),
         parameter("output.picture_times", "", between(0.0, 1.0),
-                  "Output times that get pictures (the nearest), increasing; empty: about five, evenly spaced.",
+                  "Output times that get pictures (the nearest), increasing; empty: the last.",
                   CORTICLE_MEMBER(output.picture_times)),
         parameter("output.checkpoint_minutes", "min", above(0.0, 100000.0), "Wall time between checkpoints.",
                   CORTICLE_MEMBER(output.checkpoint_minutes)),

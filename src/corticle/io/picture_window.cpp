@@ -12,7 +12,6 @@
 #include <vtkImageMapper.h>
 #include <vtkLookupTable.h>
 #include <vtkNew.h>
-#include <vtkObject.h>
 #include <vtkPNGWriter.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
@@ -69,16 +68,6 @@ std::string tick_text(const ColorScale& scale, double value)
 }
 
 } // namespace
-
-QuietVtk::QuietVtk() : shown_(vtkObject::GetGlobalWarningDisplay())
-{
-    vtkObject::SetGlobalWarningDisplay(0);
-}
-
-QuietVtk::~QuietVtk()
-{
-    vtkObject::SetGlobalWarningDisplay(shown_);
-}
 
 void set_up_window(vtkRenderWindow* window, int width, int height)
 {

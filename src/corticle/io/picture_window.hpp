@@ -2,6 +2,7 @@
 #pragma once
 
 #include "corticle/io/pictures.hpp"
+#include "corticle/io/quiet_vtk.hpp"
 
 #include <filesystem>
 #include <string>
@@ -15,19 +16,6 @@ class vtkRenderWindow;
 
 namespace corticle
 {
-
-/// Keeps VTK from printing; what fails is thrown instead.
-class QuietVtk
-{
-  public:
-    QuietVtk();
-    QuietVtk(const QuietVtk&) = delete;
-    QuietVtk& operator=(const QuietVtk&) = delete;
-    ~QuietVtk();
-
-  private:
-    int shown_;
-};
 
 /// A window in memory of `width` x `height` pixels.
 void set_up_window(vtkRenderWindow* window, int width, int height);

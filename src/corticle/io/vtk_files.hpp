@@ -10,7 +10,7 @@
 namespace corticle
 {
 
-/// Writes a surface with point fields as .vtp (binary, compressed). The file appears whole or not at all.
+/// Writes a surface with point fields as .vtp (binary). The file appears whole or not at all.
 /// @throws RunError when it cannot be written (disk full, no permission), naming the file.
 void write_surface_vtp(const std::filesystem::path& file, std::span<const Vec3> points,
                        std::span<const Triangle> triangles, std::span<const Field> point_fields);

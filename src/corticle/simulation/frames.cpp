@@ -46,9 +46,10 @@ std::vector<double> times(std::span<const double> values, double factor)
     return result;
 }
 
-ParticleArrays particle_arrays(const Simulation& simulation, std::span<const Mat3> F, const Frame& frame)
+ParticleArrays particle_arrays(const Simulation& simulation, const Frame& frame)
 {
     const Tissue& tissue = simulation.body().tissue;
+    const std::vector<Mat3>& F = frame.F;
     const std::size_t count = F.size();
     const bool multiplied = multiplies_growth(simulation.options());
     ParticleArrays a{std::vector<double>(count), std::vector<double>(9 * count), std::vector<double>(9 * count),
@@ -83,7 +84,7 @@ ParticleArrays particle_arrays(const Simulation& simulation, std::span<const Mat
 
 } // namespace
 
-Frame make_frame(const Simulation& simulation, std::span<const Mat3> F, const PhysicalScale& scale, std::string name)
+Frame make_frame(const Simulation& simulation, std::vector<Mat3> F, const PhysicalScale& scale, std::string name)
 {
     const Cloud& cloud = simulation.body().cloud;
     Frame frame;
@@ -93,28 +94,28 @@ Frame make_frame(const Simulation& simulation, std::span<const Mat3> F, const Ph
     frame.name = std::move(name);
     frame.particles = scaled(simulation.state().motion.x, scale.length);
     frame.origins = scaled(cloud.positions, scale.length);
-    frame.F.assign(F.begin(), F.end());
+    frame.F = std::move(F);
     frame.spacing = mean_spacing(cloud.volumes) * scale.length;
     frame.theta = simulation.body().tissue.theta;
     frame.surface = scaled(simulation.surface_positions(), scale.length);
     frame.triangles = cloud.surface_triangles;
     std::vector<double> J;
-    for (std::size_t i = 0; i < F.size(); ++i)
+    for (std::size_t i = 0; i < frame.F.size(); ++i)
     {
         frame.particle_growth.push_back(growth_at(simulation, i));
-        J.push_back(determinant(F[i]));
+        J.push_back(determinant(frame.F[i]));
     }
     frame.surface_J = surface_values(cloud, J);
     frame.surface_growth = surface_values(cloud, frame.particle_growth);
     return frame;
 }
 
-void write_frame(const std::filesystem::path& folder, const Simulation& simulation, std::span<const Mat3> F,
-                 const Frame& frame, const SurfaceArrays& arrays)
+void write_frame(const std::filesystem::path& folder, const Simulation& simulation, const Frame& frame,
+                 const SurfaceArrays& arrays)
 {
     const Cloud& cloud = simulation.body().cloud;
     const Tissue& tissue = simulation.body().tissue;
-    const ParticleArrays a = particle_arrays(simulation, F, frame);
+    const ParticleArrays a = particle_arrays(simulation, frame);
     const std::vector<double> depth = times(tissue.depth, frame.length_scale);
     const std::vector<double> volume = times(cloud.volumes, std::pow(frame.length_scale, 3));
     std::vector<std::int32_t> ids(frame.particles.size());

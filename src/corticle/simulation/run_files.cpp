@@ -20,7 +20,6 @@ namespace
 namespace fs = std::filesystem;
 
 constexpr double same_time = 1e-9;
-constexpr std::int64_t default_pictures = 5;
 
 /// What a process that was killed left of a file it was writing aside.
 bool is_leftover(const fs::path& file)
@@ -190,14 +189,7 @@ std::vector<bool> picture_flags(const Options& options, std::span<const double> 
     {
         flags[nearest(times, t)] = true;
     }
-    if (options.output.picture_times.empty())
-    {
-        for (std::int64_t k = 1; k <= default_pictures; ++k)
-        {
-            const double share = static_cast<double>(k) / static_cast<double>(default_pictures);
-            flags[nearest(times, times.front() + (times.back() - times.front()) * share)] = true;
-        }
-    }
+    flags.back() = flags.back() || options.output.picture_times.empty();
     return flags;
 }
 

@@ -83,15 +83,16 @@ class Recorder
     /// An output time: frame, measures, pictures, checkpoint.
     void record(const Simulation& simulation, bool with_pictures)
     {
-        const std::vector<Mat3> F = simulation.deformation_gradients();
+        std::vector<Mat3> F = simulation.deformation_gradients();
         const PhysicalScale scale = physical_scale(simulation);
         const SurfaceArrays arrays = surface_arrays(simulation, F, scale);
-        Frame frame = make_frame(simulation, F, scale, frame_name(rows_.size()));
-        frame.sulcal_depth = arrays.folds.sulcal_depth;
-        frame.mean_curvature = arrays.folds.curvature.mean;
+        const std::string name = frame_name(rows_.size());
         rows_.push_back(measure(simulation, F, arrays, scale));
         const Measures& row = rows_.back();
-        write_frame(request_.out, simulation, F, frame, arrays);
+        Frame frame = make_frame(simulation, std::move(F), scale, name);
+        frame.sulcal_depth = arrays.folds.sulcal_depth;
+        frame.mean_curvature = arrays.folds.curvature.mean;
+        write_frame(request_.out, simulation, frame, arrays);
         write_tables(request_.out, rows_);
         if (with_pictures && pictures_)
         {

@@ -33,6 +33,9 @@ struct NeighborRange
     std::int64_t count;
 };
 
+/// How far ahead of the pair at hand weights and places are asked for: their lists follow one another in memory.
+inline constexpr std::int64_t pairs_ahead = 256;
+
 /// sum_j w_ij terms_j
 CORTICLE_INLINE void sum_terms(const NeighborRange& neighbors, const PairTerms* terms, PairTerms& sum)
 {
@@ -51,6 +54,8 @@ CORTICLE_INLINE void sum_terms(const NeighborRange& neighbors, const PairTerms* 
     {
         // Through memory: a load spreads a number over all lanes, which is cheaper than to move it out of one.
         alignas(64) double w[wide_lanes];
+        read_soon(neighbors.weight + k + pairs_ahead);
+        read_soon(neighbors.place + k + pairs_ahead);
         *reinterpret_cast<WideMemory*>(w) = widen(neighbors.weight + k);
         for (std::int64_t m = 0; m < wide_lanes; ++m)
         {

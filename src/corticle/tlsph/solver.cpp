@@ -45,6 +45,9 @@ struct PassInput
     const Vec3* x;
 };
 
+/// How far ahead of the row of a table at hand its particle is asked for.
+constexpr std::size_t rows_ahead = 32;
+
 CORTICLE_INLINE void fill_deformation_terms(const Block& block, const Vec3* x, std::vector<PairTerms>& terms)
 {
     const auto table = block.table();
@@ -52,6 +55,9 @@ CORTICLE_INLINE void fill_deformation_terms(const Block& block, const Vec3* x, s
     for (std::size_t m = 0; m < table.size(); ++m)
     {
         const std::int32_t j = table[m];
+        const std::int32_t soon = table[std::min(m + rows_ahead, table.size() - 1)];
+        read_soon(&block.particles.X[soon]);
+        read_soon(&x[soon]);
         terms[m] = deformation_terms(block.particles.X[j] - block.X_origin, x[j] - block.x_origin);
     }
 }
@@ -217,6 +223,10 @@ CORTICLE_EVERY_ISA void force_block(const Block& block, std::vector<PairTerms>& 
     for (std::size_t m = 0; m < table.size(); ++m)
     {
         const std::int32_t j = table[m];
+        const std::int32_t soon = table[std::min(m + rows_ahead, table.size() - 1)];
+        read_soon(&X[soon]);
+        read_soon(&records[soon].M);
+        read_soon(&records[soon].M.column[2]);
         const ForceRecord& record = records[j];
         terms[m] = force_terms(record.M, record.x.lane, X[j] - block.X_origin, record.x - block.x_origin);
     }
