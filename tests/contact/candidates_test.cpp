@@ -27,6 +27,20 @@ TEST(Candidates, EqualThoseOfABruteForceSearchOnACrumpledSurface)
     const auto at = [&](std::int32_t k) { return x[static_cast<std::size_t>(k)]; };
     for (const double range : {0.05, 0.3})
     {
+        std::vector<double> reach;
+        for (std::size_t k = 0; k < x.size(); ++k)
+        {
+            reach.push_back(0.1 * range * static_cast<double>(7 * k % 5));
+        }
+        const auto reach_of = [&](std::span<const std::int32_t> part)
+        {
+            double largest = 0.0;
+            for (const std::int32_t k : part)
+            {
+                largest = std::max(largest, reach[static_cast<std::size_t>(k)]);
+            }
+            return largest;
+        };
         std::vector<std::pair<std::int32_t, std::int32_t>> vertex_triangle;
         std::vector<std::pair<std::int32_t, std::int32_t>> edge_edge;
         for (std::int32_t v = 0; v < std::ssize(x); ++v)
@@ -36,7 +50,7 @@ TEST(Candidates, EqualThoseOfABruteForceSearchOnACrumpledSurface)
                 const Triangle& t = mesh.triangles[static_cast<std::size_t>(k)];
                 const auto w = closest_on_triangle(at(v), at(t[0]), at(t[1]), at(t[2]));
                 const Vec3 between = at(v) - w[0] * at(t[0]) - w[1] * at(t[1]) - w[2] * at(t[2]);
-                if (!share(std::array{v}, t) && norm(between) < range)
+                if (!share(std::array{v}, t) && norm(between) < range + reach_of(std::array{v}) + reach_of(t))
                 {
                     vertex_triangle.push_back({v, k});
                 }
@@ -50,14 +64,14 @@ TEST(Candidates, EqualThoseOfABruteForceSearchOnACrumpledSurface)
                 const Edge& o = edges[static_cast<std::size_t>(b)];
                 const auto [s, t] = closest_of_segments(at(e[0]), at(e[1]), at(o[0]), at(o[1]));
                 const Vec3 between = (1.0 - s) * at(e[0]) + s * at(e[1]) - (1.0 - t) * at(o[0]) - t * at(o[1]);
-                if (!share(e, o) && norm(between) < range)
+                if (!share(e, o) && norm(between) < range + reach_of(e) + reach_of(o))
                 {
                     edge_edge.push_back({a, b});
                 }
             }
         }
         ASSERT_GT(vertex_triangle.size(), 50u);
-        const Candidates found = find_candidates(x, mesh.triangles, edges, range);
+        const Candidates found = find_candidates(x, mesh.triangles, edges, range, reach);
         std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
         for (const VertexTriangle& pair : found.vertex_triangle)
         {

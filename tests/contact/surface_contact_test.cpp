@@ -191,7 +191,8 @@ TEST(SurfaceContact, OnlyTheClosestTrianglePushes)
         rest[6 + k].x -= 3.0;
     }
     SurfaceContact contact(triangles, rest, std::vector<double>(9, 1.0), 1.0, {true, 0.3, stiffness});
-    ASSERT_GT(find_candidates(x, triangles, unique_edges(triangles), 0.3).vertex_triangle.size(), 1u);
+    const std::vector<double> reach(x.size());
+    ASSERT_GT(find_candidates(x, triangles, unique_edges(triangles), 0.3, reach).vertex_triangle.size(), 1u);
     const Evaluated result = evaluate(contact, x);
     EXPECT_EQ(result.response.active, 1);
     EXPECT_LT(result.forces[0].z, 0.0);

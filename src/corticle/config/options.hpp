@@ -57,12 +57,11 @@ struct MapOptions
 
 struct OutputOptions
 {
-    std::int64_t count = 10;     ///< evenly spaced in t, besides t = 0
-    std::vector<double> times;   ///< instead of count
-    std::vector<double> weeks;   ///< instead of count, with a clock
-    std::string pictures = "on"; ///< "on" | "off"
-    std::vector<double>
-        picture_times; ///< output times that get pictures (the nearest); empty: the last
+    std::int64_t count = 10;           ///< evenly spaced in t, besides t = 0
+    std::vector<double> times;         ///< instead of count
+    std::vector<double> weeks;         ///< instead of count, with a clock
+    std::string pictures = "on";       ///< "on" | "off"
+    std::vector<double> picture_times; ///< output times that get pictures (the nearest); empty: the last
     double checkpoint_minutes = 5.0;
 };
 

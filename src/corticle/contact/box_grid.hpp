@@ -69,15 +69,17 @@ class BoxGrid
         std::int32_t index;
     };
 
-    static Corner rounded(const Vec3& p, float towards)
+    /// A float not above a number.
+    static float rounded_down(double a)
     {
-        return {std::nextafter(static_cast<float>(p.x), towards), std::nextafter(static_cast<float>(p.y), towards),
-                std::nextafter(static_cast<float>(p.z), towards)};
+        const auto near = static_cast<float>(a);
+        return near - std::abs(near) * std::numeric_limits<float>::epsilon() - std::numeric_limits<float>::min();
     }
     static Item item(const Box& box, std::int32_t index)
     {
-        constexpr float most = std::numeric_limits<float>::infinity();
-        return {rounded(box.low, -most), rounded(box.high, most), index};
+        return {{rounded_down(box.low.x), rounded_down(box.low.y), rounded_down(box.low.z)},
+                {-rounded_down(-box.high.x), -rounded_down(-box.high.y), -rounded_down(-box.high.z)},
+                index};
     }
     static bool overlap(const Item& a, const Item& b)
     {

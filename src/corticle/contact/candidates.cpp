@@ -16,27 +16,35 @@ Vec3 at(std::span<const Vec3> x, std::int32_t vertex)
     return x[static_cast<std::size_t>(vertex)];
 }
 
-template <class Corners>
-Box bounding_box(std::span<const Vec3> x, const Corners& corners, double margin)
+/// What is searched for: edges or triangles, each with its box and its reach.
+struct Parts
 {
-    Box box{at(x, corners[0]), at(x, corners[0])};
-    for (const std::int32_t corner : corners)
-    {
-        const Vec3 p = at(x, corner);
-        box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
-        box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
-    }
-    const Vec3 wide{margin, margin, margin};
-    return {box.low - wide, box.high + wide};
-}
+    std::vector<Box> boxes;    ///< wider than the part by its reach and the margin
+    std::vector<double> reach; ///< [mm]
+};
 
 template <class Corners>
-std::vector<Box> bounding_boxes(std::span<const Vec3> x, std::span<const Corners> items, double margin)
+Parts parts_of(std::span<const Vec3> x, std::span<const double> reach, std::span<const Corners> items, double margin)
 {
-    std::vector<Box> boxes(items.size());
-    parallel_for(std::ssize(boxes), [&](std::int64_t k)
-                 { boxes[static_cast<std::size_t>(k)] = bounding_box(x, items[static_cast<std::size_t>(k)], margin); });
-    return boxes;
+    Parts parts{std::vector<Box>(items.size()), std::vector<double>(items.size())};
+    parallel_for(std::ssize(items),
+                 [&](std::int64_t k)
+                 {
+                     const Corners& corners = items[static_cast<std::size_t>(k)];
+                     Box box{at(x, corners[0]), at(x, corners[0])};
+                     double largest = 0.0;
+                     for (const std::int32_t corner : corners)
+                     {
+                         const Vec3 p = at(x, corner);
+                         box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
+                         box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
+                         largest = std::max(largest, reach[static_cast<std::size_t>(corner)]);
+                     }
+                     const double wide = margin + largest;
+                     parts.boxes[k] = {box.low - Vec3{wide, wide, wide}, box.high + Vec3{wide, wide, wide}};
+                     parts.reach[k] = largest;
+                 });
+    return parts;
 }
 
 /// Runs `search(begin, end, found)` over blocks concurrently and joins what they found in order.
@@ -55,79 +63,90 @@ std::vector<Pair> collect(std::int64_t count, Search&& search)
 }
 
 std::vector<VertexTriangle> close_vertex_triangles(std::span<const Vec3> x, std::span<const Triangle> triangles,
-                                                   double range, double cell)
+                                                   double range, std::span<const double> reach, double cell)
 {
-    const std::vector<Box> boxes = bounding_boxes(x, triangles, range);
-    const BoxGrid grid(boxes, cell);
+    const auto parts = parts_of(x, reach, triangles, range);
+    const BoxGrid grid(parts.boxes, cell);
     return collect<VertexTriangle>(
         std::ssize(x),
         [&](std::int64_t begin, std::int64_t end, std::vector<VertexTriangle>& found)
         {
+            std::vector<std::int32_t> overlapping;
             for (std::int64_t v = begin; v < end; ++v)
             {
                 const auto vertex = static_cast<std::int32_t>(v);
                 const std::size_t first = found.size();
                 const Vec3 p = at(x, vertex);
-                grid.query({p, p}, -1,
-                           [&](std::int32_t triangle)
-                           {
-                               const Triangle& corner = triangles[static_cast<std::size_t>(triangle)];
-                               if (std::find(corner.begin(), corner.end(), vertex) != corner.end())
-                               {
-                                   return;
-                               }
-                               const Vec3 a = at(x, corner[0]);
-                               const Vec3 b = at(x, corner[1]);
-                               const Vec3 c = at(x, corner[2]);
-                               const auto weight = closest_on_triangle(p, a, b, c);
-                               const double squared = squared_norm(p - (weight[0] * a + weight[1] * b + weight[2] * c));
-                               if (squared < range * range)
-                               {
-                                   found.push_back({vertex, triangle, std::sqrt(squared)});
-                               }
-                           });
+                const double wide = reach[static_cast<std::size_t>(v)];
+                overlapping.clear();
+                grid.query({p - Vec3{wide, wide, wide}, p + Vec3{wide, wide, wide}}, -1,
+                           [&](std::int32_t triangle) { overlapping.push_back(triangle); });
+                for (const std::int32_t triangle : overlapping)
+                {
+                    const Triangle& corner = triangles[static_cast<std::size_t>(triangle)];
+                    if (std::find(corner.begin(), corner.end(), vertex) != corner.end())
+                    {
+                        continue;
+                    }
+                    const Vec3 a = at(x, corner[0]);
+                    const Vec3 b = at(x, corner[1]);
+                    const Vec3 c = at(x, corner[2]);
+                    const auto weight = closest_on_triangle(p, a, b, c);
+                    const double squared = squared_norm(p - (weight[0] * a + weight[1] * b + weight[2] * c));
+                    const double within = range + wide + parts.reach[static_cast<std::size_t>(triangle)];
+                    if (squared < within * within)
+                    {
+                        found.push_back({vertex, triangle, std::sqrt(squared)});
+                    }
+                }
                 std::sort(found.begin() + static_cast<std::ptrdiff_t>(first), found.end(),
                           [](const VertexTriangle& a, const VertexTriangle& b) { return a.triangle < b.triangle; });
             }
         });
 }
 
-std::vector<EdgeEdge> close_edge_edges(std::span<const Vec3> x, std::span<const Edge> edges, double range, double cell)
+std::vector<EdgeEdge> close_edge_edges(std::span<const Vec3> x, std::span<const Edge> edges, double range,
+                                       std::span<const double> reach, double cell)
 {
-    const std::vector<Box> boxes = bounding_boxes(x, edges, 0.5 * range);
-    const BoxGrid grid(boxes, cell);
-    return collect<EdgeEdge>(
-        std::ssize(edges),
-        [&](std::int64_t begin, std::int64_t end, std::vector<EdgeEdge>& found)
-        {
-            for (std::int64_t k = begin; k < end; ++k)
-            {
-                const auto first = static_cast<std::int32_t>(k);
-                const Edge e = edges[static_cast<std::size_t>(k)];
-                const std::size_t begin_of_edge = found.size();
-                grid.query(boxes[static_cast<std::size_t>(k)], first,
-                           [&](std::int32_t second)
-                           {
-                               const Edge o = edges[static_cast<std::size_t>(second)];
-                               if (e[0] == o[0] || e[0] == o[1] || e[1] == o[0] || e[1] == o[1])
-                               {
-                                   return;
-                               }
-                               const Vec3 a = at(x, e[0]);
-                               const Vec3 b = at(x, e[1]);
-                               const Vec3 c = at(x, o[0]);
-                               const Vec3 d = at(x, o[1]);
-                               const auto [s, t] = closest_of_segments(a, b, c, d);
-                               const double squared = squared_norm(a + s * (b - a) - c - t * (d - c));
-                               if (squared < range * range)
-                               {
-                                   found.push_back({first, second, std::sqrt(squared)});
-                               }
-                           });
-                std::sort(found.begin() + static_cast<std::ptrdiff_t>(begin_of_edge), found.end(),
-                          [](const EdgeEdge& a, const EdgeEdge& b) { return a.second < b.second; });
-            }
-        });
+    const auto parts = parts_of(x, reach, edges, 0.5 * range);
+    const BoxGrid grid(parts.boxes, cell);
+    return collect<EdgeEdge>(std::ssize(edges),
+                             [&](std::int64_t begin, std::int64_t end, std::vector<EdgeEdge>& found)
+                             {
+                                 std::vector<std::int32_t> overlapping;
+                                 for (std::int64_t k = begin; k < end; ++k)
+                                 {
+                                     const auto first = static_cast<std::int32_t>(k);
+                                     const Edge e = edges[static_cast<std::size_t>(k)];
+                                     const std::size_t begin_of_edge = found.size();
+                                     overlapping.clear();
+                                     grid.query(parts.boxes[static_cast<std::size_t>(k)], first,
+                                                [&](std::int32_t second) { overlapping.push_back(second); });
+                                     for (const std::int32_t second : overlapping)
+                                     {
+                                         const Edge o = edges[static_cast<std::size_t>(second)];
+                                         if (e[0] == o[0] || e[0] == o[1] || e[1] == o[0] || e[1] == o[1])
+                                         {
+                                             continue;
+                                         }
+                                         const Vec3 a = at(x, e[0]);
+                                         const Vec3 b = at(x, e[1]);
+                                         const Vec3 c = at(x, o[0]);
+                                         const Vec3 d = at(x, o[1]);
+                                         const auto [s, t] = closest_of_segments(a, b, c, d);
+                                         const double squared = squared_norm(a + s * (b - a) - c - t * (d - c));
+                                         const double within = range + parts.reach[static_cast<std::size_t>(k)] +
+                                                               parts.reach[static_cast<std::size_t>(second)];
+                                         if (squared < within * within)
+                                         {
+                                             found.push_back({first, second, std::sqrt(squared)});
+                                         }
+                                     }
+                                     std::sort(found.begin() + static_cast<std::ptrdiff_t>(begin_of_edge), found.end(),
+                                               [](const EdgeEdge& a, const EdgeEdge& b)
+                                               { return a.second < b.second; });
+                                 }
+                             });
 }
 
 } // namespace
@@ -151,7 +170,7 @@ std::vector<Edge> unique_edges(std::span<const Triangle> triangles)
 }
 
 Candidates find_candidates(std::span<const Vec3> x, std::span<const Triangle> triangles, std::span<const Edge> edges,
-                           double range)
+                           double range, std::span<const double> reach)
 {
     const double lengths = parallel_sum(std::ssize(edges),
                                         [&](std::int64_t k)
@@ -160,7 +179,7 @@ Candidates find_candidates(std::span<const Vec3> x, std::span<const Triangle> tr
                                             return norm(at(x, e[0]) - at(x, e[1]));
                                         });
     const double cell = lengths / static_cast<double>(edges.size()) + range;
-    return {close_vertex_triangles(x, triangles, range, cell), close_edge_edges(x, edges, range, cell)};
+    return {close_vertex_triangles(x, triangles, range, reach, cell), close_edge_edges(x, edges, range, reach, cell)};
 }
 
 } // namespace corticle

@@ -40,8 +40,10 @@ struct Candidates
     std::vector<EdgeEdge> edge_edge;             ///< in ascending order of first, then second
 };
 
-/// Finds the pairs closer than `range` [mm]. The result depends on the positions alone.
+/// Finds the pairs closer than `range` plus the reach of both their parts, that of an edge or a triangle being the
+/// largest of its vertices. The result depends on the positions and the reach alone.
+/// @param reach  of every vertex [mm]
 Candidates find_candidates(std::span<const Vec3> x, std::span<const Triangle> triangles, std::span<const Edge> edges,
-                           double range);
+                           double range, std::span<const double> reach);
 
 } // namespace corticle

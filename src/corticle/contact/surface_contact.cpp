@@ -12,9 +12,10 @@ namespace corticle
 namespace
 {
 
-constexpr double skin_in_spacings = 0.4; ///< twice and three times as much finds fewer times, but more pairs: slower
-constexpr std::int64_t pairs_per_block = 8192; ///< that one thread looks through for those that are due
-constexpr double travel_share = 0.4;           ///< of the distance; both sides together use 0.8 of it
+constexpr double least_reach = 0.05;    ///< [spacings]
+constexpr double largest_reach = 0.8;   ///< [spacings]
+constexpr double steps_of_reach = 30.0; ///< for which a vertex that keeps its speed stays within its reach
+constexpr double travel_share = 0.4;    ///< of the distance; both sides together use 0.8 of it
 
 Vec3 at(std::span<const Vec3> x, std::int32_t vertex)
 {
@@ -26,11 +27,12 @@ Vec3 at(std::span<const Vec3> x, std::int32_t vertex)
 SurfaceContact::SurfaceContact(std::vector<Triangle> triangles, std::span<const Vec3> rest, std::vector<double> masses,
                                double spacing, const ContactOptions& options)
     : triangles_(std::move(triangles)), edges_(unique_edges(triangles_)), masses_(std::move(masses)),
-      dhat_(options.distance * spacing), skin_(skin_in_spacings * spacing), stiffness_(options.stiffness),
-      vertex_gap_(rest.size(), dhat_), edge_gap_(edges_.size(), dhat_), closest_pair_(edges_.size(), -1),
-      travel_limit_(rest.size())
+      dhat_(options.distance * spacing), spacing_(spacing), stiffness_(options.stiffness),
+      vertex_gap_(rest.size(), dhat_), edge_gap_(edges_.size(), dhat_), reach_(rest.size()), step_(rest.size()),
+      vertex_path_(rest.size()), triangle_path_(triangles_.size()), edge_path_(edges_.size()),
+      closest_pair_(edges_.size(), -1), travel_limit_(rest.size())
 {
-    refresh_candidates(rest);
+    refresh_candidates(rest, std::vector<Vec3>(rest.size()), 0.0);
     for (const VertexTriangle& pair : vertices_.pairs)
     {
         double& gap = vertex_gap_[static_cast<std::size_t>(pair.vertex)];
@@ -78,81 +80,99 @@ SurfaceContact::Push SurfaceContact::measure(const EdgeEdge& pair, std::span<con
     return {norm(between), normalized(between), {1.0 - s, s, t - 1.0, -t}};
 }
 
+double SurfaceContact::path_of(const VertexTriangle& pair) const
+{
+    return vertex_path_[static_cast<std::size_t>(pair.vertex)] +
+           triangle_path_[static_cast<std::size_t>(pair.triangle)];
+}
+
+double SurfaceContact::path_of(const EdgeEdge& pair) const
+{
+    return edge_path_[static_cast<std::size_t>(pair.first)] + edge_path_[static_cast<std::size_t>(pair.second)];
+}
+
 template <class Pair>
 void SurfaceContact::watch(std::vector<Pair> pairs, Watch<Pair>& watched) const
 {
     watched.pairs = std::move(pairs);
     watched.due.resize(watched.pairs.size());
-    parallel_for(std::ssize(watched.pairs),
-                 [&](std::int64_t k) { watched.due[k] = path_ + 0.5 * (watched.pairs[k].distance - dhat_); });
+    parallel_for(std::ssize(watched.pairs), [&](std::int64_t k)
+                 { watched.due[k] = path_of(watched.pairs[k]) + watched.pairs[k].distance - dhat_; });
 }
 
 template <class Pair>
 void SurfaceContact::measure_due(std::span<const Vec3> x, Watch<Pair>& watched) const
 {
-    const double reached = path_ + 1e-9 * dhat_; // ahead of what additions round off
-    watched.now = parallel_reduce(
-        std::ssize(watched.pairs), std::vector<std::int32_t>{},
+    const double rounding = 1e-9 * dhat_; // more than additions round off
+    watched.near = parallel_reduce(
+        std::ssize(watched.pairs), std::vector<Near<Pair>>{},
         [&](std::int64_t begin, std::int64_t end)
         {
-            std::vector<std::int32_t> found;
+            std::vector<Near<Pair>> found;
             for (std::int64_t k = begin; k < end; ++k)
             {
-                if (watched.due[k] < reached)
+                const double path = path_of(watched.pairs[k]);
+                if (watched.due[k] < path + rounding)
                 {
-                    found.push_back(static_cast<std::int32_t>(k));
+                    const Push push = measure(watched.pairs[k], x);
+                    watched.due[k] = path + push.distance - dhat_;
+                    if (push.distance < dhat_)
+                    {
+                        found.push_back({watched.pairs[k], push});
+                    }
                 }
             }
             return found;
         },
-        [](std::vector<std::int32_t>& all, const std::vector<std::int32_t>& part)
-        { all.insert(all.end(), part.begin(), part.end()); },
-        pairs_per_block);
-    watched.push.resize(watched.now.size());
-    parallel_for(std::ssize(watched.now),
-                 [&](std::int64_t m)
-                 {
-                     const std::int32_t k = watched.now[m];
-                     watched.push[m] = measure(watched.pairs[k], x);
-                     watched.due[k] = path_ + 0.5 * (watched.push[m].distance - dhat_);
-                 });
+        [](std::vector<Near<Pair>>& all, const std::vector<Near<Pair>>& part)
+        { all.insert(all.end(), part.begin(), part.end()); });
 }
 
-/// Notes how far the vertices have moved; finds the candidates anew when one may be missing.
-void SurfaceContact::refresh_candidates(std::span<const Vec3> x)
+/// Notes how far the vertices have moved, and says whether one of them has left its reach.
+bool SurfaceContact::follow(std::span<const Vec3> x)
 {
-    struct Moved
-    {
-        double since_listed = 0.0; ///< squared
-        double since_last = 0.0;   ///< squared
-    };
-    if (listed_at_.size() == x.size())
-    {
-        const Moved moved = parallel_reduce(
-            std::ssize(x), Moved{},
-            [&](std::int64_t begin, std::int64_t end)
-            {
-                Moved largest;
-                for (std::int64_t k = begin; k < end; ++k)
-                {
-                    largest.since_listed = std::max(largest.since_listed, squared_norm(x[k] - listed_at_[k]));
-                    largest.since_last = std::max(largest.since_last, squared_norm(x[k] - last_x_[k]));
-                    last_x_[k] = x[k];
-                }
-                return largest;
-            },
-            [](Moved& total, const Moved& part)
-            {
-                total.since_listed = std::max(total.since_listed, part.since_listed);
-                total.since_last = std::max(total.since_last, part.since_last);
-            });
-        path_ += std::sqrt(moved.since_last);
-        if (moved.since_listed < 0.25 * skin_ * skin_)
+    const bool left = parallel_reduce(
+        std::ssize(x), false,
+        [&](std::int64_t begin, std::int64_t end)
         {
-            return;
-        }
+            bool any = false;
+            for (std::int64_t k = begin; k < end; ++k)
+            {
+                step_[k] = norm(x[k] - last_x_[k]);
+                vertex_path_[k] += step_[k];
+                last_x_[k] = x[k];
+                any = any || squared_norm(x[k] - listed_at_[k]) > reach_[k] * reach_[k];
+            }
+            return any;
+        },
+        [](bool& any, bool part) { any = any || part; });
+    parallel_for(std::ssize(triangles_),
+                 [&](std::int64_t k)
+                 {
+                     const Triangle& corner = triangles_[static_cast<std::size_t>(k)];
+                     triangle_path_[k] += std::max({step_[corner[0]], step_[corner[1]], step_[corner[2]]});
+                 });
+    parallel_for(std::ssize(edges_),
+                 [&](std::int64_t k)
+                 {
+                     const Edge& end = edges_[static_cast<std::size_t>(k)];
+                     edge_path_[k] += std::max(step_[end[0]], step_[end[1]]);
+                 });
+    return left;
+}
+
+/// Finds the candidates anew when one may be missing.
+void SurfaceContact::refresh_candidates(std::span<const Vec3> x, std::span<const Vec3> v, double dt)
+{
+    if (listed_at_.size() == x.size() && !follow(x))
+    {
+        return;
     }
-    Candidates found = find_candidates(x, triangles_, edges_, dhat_ + skin_);
+    for (std::size_t k = 0; k < x.size(); ++k)
+    {
+        reach_[k] = std::min(largest_reach * spacing_, least_reach * spacing_ + steps_of_reach * dt * norm(v[k]));
+    }
+    Candidates found = find_candidates(x, triangles_, edges_, dhat_, reach_);
     watch(std::move(found.vertex_triangle), vertices_);
     watch(std::move(found.edge_edge), edge_pairs_);
     listed_at_.assign(x.begin(), x.end());
@@ -196,24 +216,21 @@ void SurfaceContact::apply(const std::array<std::int32_t, 4>& vertex, const Push
 void SurfaceContact::push_vertices(std::span<const Vec3> v, double dt, std::span<Vec3> forces,
                                    ContactResponse& response)
 {
-    const auto pair = [&](std::size_t m) -> const VertexTriangle& { return vertices_.pairs[vertices_.now[m]]; };
-    const std::vector<Push>& push = vertices_.push;
-    for (std::size_t first = 0; first < push.size();)
+    const std::vector<Near<VertexTriangle>>& near = vertices_.near;
+    for (std::size_t first = 0; first < near.size();)
     {
+        const std::int32_t vertex = near[first].pair.vertex;
         std::size_t closest = first;
         std::size_t m = first;
-        for (; m < push.size() && pair(m).vertex == pair(first).vertex; ++m)
+        for (; m < near.size() && near[m].pair.vertex == vertex; ++m)
         {
-            closest = push[m].distance < push[closest].distance ? m : closest;
-            if (push[m].distance < dhat_)
-            {
-                limit_travel(vertices_of(pair(m)), push[m].distance);
-            }
+            closest = near[m].push.distance < near[closest].push.distance ? m : closest;
+            limit_travel(vertices_of(near[m].pair), near[m].push.distance);
         }
-        const double gap = vertex_gap_[static_cast<std::size_t>(pair(first).vertex)];
-        if (push[closest].distance < gap)
+        const double gap = vertex_gap_[static_cast<std::size_t>(vertex)];
+        if (near[closest].push.distance < gap)
         {
-            apply(vertices_of(pair(closest)), push[closest], gap, v, dt, forces, response);
+            apply(vertices_of(near[closest].pair), near[closest].push, gap, v, dt, forces, response);
         }
         first = m;
     }
@@ -221,30 +238,25 @@ void SurfaceContact::push_vertices(std::span<const Vec3> v, double dt, std::span
 
 void SurfaceContact::push_edges(std::span<const Vec3> v, double dt, std::span<Vec3> forces, ContactResponse& response)
 {
-    const auto pair = [&](std::size_t m) -> const EdgeEdge& { return edge_pairs_.pairs[edge_pairs_.now[m]]; };
-    const std::vector<Push>& pushes = edge_pairs_.push;
+    const std::vector<Near<EdgeEdge>>& near = edge_pairs_.near;
     const auto consider = [&](std::int32_t edge, std::size_t m)
     {
         std::int32_t& closest = closest_pair_[static_cast<std::size_t>(edge)];
-        if (closest < 0 || pushes[m].distance < pushes[static_cast<std::size_t>(closest)].distance)
+        if (closest < 0 || near[m].push.distance < near[static_cast<std::size_t>(closest)].push.distance)
         {
             closest = static_cast<std::int32_t>(m);
         }
     };
-    for (std::size_t m = 0; m < pushes.size(); ++m)
+    for (std::size_t m = 0; m < near.size(); ++m)
     {
-        if (pushes[m].distance < dhat_)
-        {
-            limit_travel(vertices_of(pair(m)), pushes[m].distance);
-            consider(pair(m).first, m);
-            consider(pair(m).second, m);
-        }
+        limit_travel(vertices_of(near[m].pair), near[m].push.distance);
+        consider(near[m].pair.first, m);
+        consider(near[m].pair.second, m);
     }
-    for (std::size_t m = 0; m < pushes.size(); ++m)
+    for (std::size_t m = 0; m < near.size(); ++m)
     {
         const auto index = static_cast<std::int32_t>(m);
-        const Push& push = pushes[m];
-        const EdgeEdge& edges = pair(m);
+        const auto& [edges, push] = near[m];
         const double gap = std::min(edge_gap_[static_cast<std::size_t>(edges.first)],
                                     edge_gap_[static_cast<std::size_t>(edges.second)]);
         const bool mutual = closest_pair_[static_cast<std::size_t>(edges.first)] == index &&
@@ -256,17 +268,17 @@ void SurfaceContact::push_edges(std::span<const Vec3> v, double dt, std::span<Ve
             apply(vertices_of(edges), push, gap, v, dt, forces, response);
         }
     }
-    for (std::size_t m = 0; m < pushes.size(); ++m)
+    for (const Near<EdgeEdge>& one : near)
     {
-        closest_pair_[static_cast<std::size_t>(pair(m).first)] = -1;
-        closest_pair_[static_cast<std::size_t>(pair(m).second)] = -1;
+        closest_pair_[static_cast<std::size_t>(one.pair.first)] = -1;
+        closest_pair_[static_cast<std::size_t>(one.pair.second)] = -1;
     }
 }
 
 ContactResponse SurfaceContact::evaluate(std::span<const Vec3> x, std::span<const Vec3> v, double dt,
                                          std::span<Vec3> forces)
 {
-    refresh_candidates(x);
+    refresh_candidates(x, v, dt);
     std::fill(travel_limit_.begin(), travel_limit_.end(), travel_share * dhat_);
     measure_due(x, vertices_);
     measure_due(x, edge_pairs_);

@@ -50,15 +50,21 @@ class SurfaceContact
         Vec3 direction;               ///< unit, from the second to the first
         std::array<double, 4> weight; ///< of the four vertices: positive on the first primitive, negative on the second
     };
-    /// Candidates, and those of them that may be closer than dhat now: no pair approaches faster than twice the fastest
-    /// vertex moves, so a pair measured once need not be measured again before they have moved that far.
+    /// A pair that is closer than dhat now.
+    template <class Pair>
+    struct Near
+    {
+        Pair pair;
+        Push push;
+    };
+    /// Candidates, and those of them that are near. The path of a pair is the length of way its two parts have moved: a
+    /// pair measured once need not be measured again before that has grown by what it was too far.
     template <class Pair>
     struct Watch
     {
         std::vector<Pair> pairs;
-        std::vector<double> due;       ///< path at which it may be closer than dhat [mm]
-        std::vector<std::int32_t> now; ///< pairs that may, ascending
-        std::vector<Push> push;        ///< of these
+        std::vector<double> due;      ///< path at which it may be near [mm]
+        std::vector<Near<Pair>> near; ///< in the order of the pairs
     };
     std::array<std::int32_t, 4> vertices_of(const VertexTriangle& pair) const;
     std::array<std::int32_t, 4> vertices_of(const EdgeEdge& pair) const;
@@ -71,7 +77,10 @@ class SurfaceContact
     void apply(const std::array<std::int32_t, 4>& vertex, const Push& push, double gap, std::span<const Vec3> v,
                double dt, std::span<Vec3> forces, ContactResponse& response) const;
     void limit_travel(const std::array<std::int32_t, 4>& vertex, double distance);
-    void refresh_candidates(std::span<const Vec3> x);
+    double path_of(const VertexTriangle& pair) const;
+    double path_of(const EdgeEdge& pair) const;
+    bool follow(std::span<const Vec3> x);
+    void refresh_candidates(std::span<const Vec3> x, std::span<const Vec3> v, double dt);
     void push_vertices(std::span<const Vec3> v, double dt, std::span<Vec3> forces, ContactResponse& response);
     void push_edges(std::span<const Vec3> v, double dt, std::span<Vec3> forces, ContactResponse& response);
 
@@ -79,7 +88,7 @@ class SurfaceContact
     std::vector<Edge> edges_;
     std::vector<double> masses_;
     double dhat_;
-    double skin_;
+    double spacing_;
     double stiffness_;
     std::vector<double> vertex_gap_; ///< [mm]
     std::vector<double> edge_gap_;   ///< [mm]
@@ -88,9 +97,13 @@ class SurfaceContact
     Watch<VertexTriangle> vertices_;
     Watch<EdgeEdge> edge_pairs_;
     std::vector<Vec3> listed_at_; ///< positions the candidates were found at
+    std::vector<double> reach_;   ///< how far each vertex may be from there before they are found anew [mm]
     std::vector<Vec3> last_x_;
-    double path_ = 0.0;                      ///< sum of the largest displacements between evaluations [mm]
-    std::vector<std::int32_t> closest_pair_; ///< per edge: its closest candidate, or -1
+    std::vector<double> step_;               ///< how far each vertex has moved since the last evaluation [mm]
+    std::vector<double> vertex_path_;        ///< sums of these [mm]
+    std::vector<double> triangle_path_;      ///< sums of the largest of the three corners [mm]
+    std::vector<double> edge_path_;          ///< of both ends [mm]
+    std::vector<std::int32_t> closest_pair_; ///< per edge: its closest near pair, or -1
     std::vector<double> travel_limit_;
 };
 

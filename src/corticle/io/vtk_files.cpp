@@ -59,7 +59,8 @@ void add_fields(vtkPointData* data, std::span<const Field> fields, [[maybe_unuse
     }
 }
 
-/// Whether the last tag of a file VTK wrote is there: it does not see when the end of a file no longer fits on the disk.
+/// Whether the last tag of a file VTK wrote is there: it does not see when the end of a file no longer fits on the
+/// disk.
 bool is_complete(const std::filesystem::path& file)
 {
     constexpr std::string_view last = "</VTKFile>\n";
