@@ -78,7 +78,8 @@ class Recorder
         rows_ = std::move(rows);
         first_step_ = steps;
     }
-    std::size_t row_count() const { return rows_.size(); }
+    /// Whether an output time has been recorded, in this session or an earlier one.
+    bool has(double t) const { return !rows_.empty() && rows_.back().t >= t; }
 
     /// An output time: frame, measures, pictures, checkpoint.
     void record(const Simulation& simulation, bool with_pictures)
@@ -165,7 +166,7 @@ bool fold(Simulation& simulation, Recorder& recorder, const Options& options, bo
     Progress progress(simulation, options.time.end, quiet);
     for (std::size_t k = 0; k < times.size(); ++k)
     {
-        if (times[k] < simulation.state().t || (times[k] == simulation.state().t && recorder.row_count() > 0))
+        if (recorder.has(times[k]))
         {
             continue;
         }
@@ -173,8 +174,12 @@ bool fold(Simulation& simulation, Recorder& recorder, const Options& options, bo
         {
             simulation.step(times[k]);
             progress.update(simulation);
+            if (simulation.state().t >= times[k])
+            {
+                break; // it is recorded and saved at once
+            }
             recorder.save_if_due(simulation);
-            if (InterruptionGuard::requested() && simulation.state().t < times[k])
+            if (InterruptionGuard::requested())
             {
                 progress.clear();
                 recorder.save(simulation);
