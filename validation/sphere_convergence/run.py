@@ -14,8 +14,7 @@ sys.path.insert(0, str(HERE.parent))
 import _runs  # noqa: E402
 import _sphere  # noqa: E402
 
-SIZES = [20000, 45000, 120000, 250000]
-SETTINGS = ["output.count=20"]
+SIZES = [20000, 45000, 120000, 250000, 1000000]
 TIMES = (0.3, 0.5, 1.0)
 MOST_OVERLAP = 0.001
 ONSET_T = (0.235, 0.275) # at this loading, which is fast: see sphere_onset
@@ -45,7 +44,7 @@ def differences(results):
 def main():
     arguments = _runs.parse_arguments(__doc__, SIZES)
     case = _runs.ROOT / "cases" / "sphere.toml"
-    found = _runs.folders(arguments, case, "s", SETTINGS, _runs.ROOT / "runs/validation/sphere_convergence")
+    found = _runs.folders(arguments, case, "s", [], _runs.ROOT / "runs/validation/sphere_convergence")
     if not found:
         sys.exit("no complete run")
     results = [_runs.describe(folder) | {"folds": {str(t): _sphere.fold_width(folder, t) for t in TIMES}}

@@ -29,6 +29,7 @@ SIZES = {
     "small": {"sph": (20000, 45000), "fem": (50000, 100000)},
     "tiny": {"sph": (3000, 6000), "fem": (8000, 16000)},
 }
+EXTRA = {("a", "fem"): (1500000,), ("b", "fem"): (253000,)} # as many nodes as the most particles; the lineage's
 SMOOTH = ["tissue.layer=smooth", "tissue.lambda=0", "tissue.thickness_mm=1.674", "tissue.bulk=uniform",
           "tissue.bulk_modulus=5", "tissue.mu_cortex=1", "tissue.mu_white=1.167"]
 CASES = {"a": ("binary layer, K per tissue", []), "b": ("smooth layer, K uniform", SMOOTH)}
@@ -70,7 +71,7 @@ def make(arguments, folder, settings):
 
 
 def sizes_of(arguments, case, method):
-    extra = (253000,) if (case, method, arguments.sizes) == ("b", "fem", "all") else ()
+    extra = EXTRA.get((case, method), ()) if arguments.sizes == "all" else ()
     return sorted({*SIZES[arguments.sizes][method], *extra})
 
 

@@ -192,12 +192,12 @@ void set_layer(Body& body, double t)
 
 double estimated_memory(Method method, double particles, double neighbors)
 {
-    constexpr double bytes_per_pair = 8.0;
-    constexpr double bytes_per_particle = 650.0;
-    constexpr double bytes_per_tet = 400.0;
+    constexpr double bytes_per_pair = 6.0;
+    constexpr double bytes_per_particle = 960.0; // at an output time, when it takes the most
+    constexpr double bytes_per_tet = 240.0;
     constexpr double tets_per_node = 6.0;
     constexpr double base = 360e6; // the program and its picture library
-    const double links = method == Method::fem ? tets_per_node * bytes_per_tet : 2.0 * neighbors * bytes_per_pair;
+    const double links = method == Method::fem ? tets_per_node * bytes_per_tet : neighbors * bytes_per_pair;
     return base + particles * (bytes_per_particle + links);
 }
 

@@ -3,6 +3,7 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
+#include "corticle/base/stopwatch.hpp"
 #include "corticle/config/case_file.hpp"
 #include "corticle/io/atomic_file.hpp"
 #include "corticle/io/folder_lock.hpp"
@@ -84,22 +85,19 @@ class Recorder
     /// An output time: frame, measures, pictures, checkpoint.
     void record(const Simulation& simulation, bool with_pictures)
     {
-        std::vector<Mat3> F = simulation.deformation_gradients();
         const PhysicalScale scale = physical_scale(simulation);
-        const SurfaceArrays arrays = surface_arrays(simulation, F, scale);
-        const std::string name = frame_name(rows_.size());
-        rows_.push_back(measure(simulation, F, arrays, scale));
-        const Measures& row = rows_.back();
-        Frame frame = make_frame(simulation, std::move(F), scale, name);
-        frame.sulcal_depth = arrays.folds.sulcal_depth;
-        frame.mean_curvature = arrays.folds.curvature.mean;
-        write_frame(request_.out, simulation, frame, arrays);
-        write_tables(request_.out, rows_);
-        if (with_pictures && pictures_)
+        std::vector<Mat3> F;
+        SurfaceArrays arrays;
         {
-            render_frame(request_.out, frame);
+            const Stopwatch watch(measures_s_);
+            F = simulation.deformation_gradients();
+            arrays = surface_arrays(simulation, F, scale);
+            rows_.push_back(measure(simulation, F, arrays, scale));
         }
+        write(simulation, make_frame(simulation, std::move(F), scale, frame_name(rows_.size() - 1)), arrays,
+              with_pictures);
         save(simulation);
+        const Measures& row = rows_.back();
         log_->info("t = {:.4f}: step {}, area ratio {:.4f}, sphere index {:.4f}, hull index {:.4f}, J {:.3f} to "
                    "{:.3f}, overlap {:.5f}",
                    row.t, simulation.state().steps, row.area_ratio, row.gi_sphere, row.gi_hull, row.J_min, row.J_max,
@@ -113,6 +111,7 @@ class Recorder
 
     void save(const Simulation& simulation)
     {
+        const Stopwatch watch(output_s_);
         write_checkpoint(request_.out / "checkpoint.h5", to_checkpoint(simulation.state(), rows_, case_text_));
         saved_at_ = Clock::now();
     }
@@ -132,7 +131,7 @@ class Recorder
         write_text_atomically(request_.out / "summary.json",
                               summary_json(simulation, last,
                                            {status, reason, thread_count(), wall_before_ + session, session,
-                                            simulation.state().steps - first_step_}));
+                                            simulation.state().steps - first_step_, measures_s_, output_s_}));
         log_->info("{} at t = {:.6g} after {} steps, {:.1f} s", status, simulation.state().t, simulation.state().steps,
                    wall_before_ + session);
     }
@@ -141,11 +140,26 @@ class Recorder
     {
         if (pictures_)
         {
+            const Stopwatch watch(output_s_);
             render_measures(request_.out, rows_);
         }
     }
 
   private:
+    /// Files and pictures of an output time.
+    void write(const Simulation& simulation, Frame frame, const SurfaceArrays& arrays, bool with_pictures)
+    {
+        const Stopwatch watch(output_s_);
+        frame.sulcal_depth = arrays.folds.sulcal_depth;
+        frame.mean_curvature = arrays.folds.curvature.mean;
+        write_frame(request_.out, simulation, frame, arrays);
+        write_tables(request_.out, rows_);
+        if (with_pictures && pictures_)
+        {
+            render_frame(request_.out, frame);
+        }
+    }
+
     const RunRequest& request_;
     std::string case_text_;
     std::shared_ptr<spdlog::logger> log_;
@@ -154,6 +168,8 @@ class Recorder
     double wall_before_;
     std::int64_t first_step_ = 0;
     std::vector<Measures> rows_;
+    double measures_s_ = 0.0;
+    double output_s_ = 0.0;
     bool pictures_ = false;
     bool warned_ = false;
 };

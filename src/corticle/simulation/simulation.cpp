@@ -2,6 +2,7 @@
 #include "corticle/simulation/simulation.hpp"
 
 #include "corticle/base/error.hpp"
+#include "corticle/base/stopwatch.hpp"
 #include "corticle/metrics/surface_measures.hpp"
 #include "corticle/simulation/discretization.hpp"
 
@@ -90,6 +91,29 @@ std::vector<Vec3> Simulation::surface_positions() const
     return positions;
 }
 
+InternalResponse Simulation::internal_forces(Motion& motion, double t)
+{
+    const Stopwatch watch(seconds_.internal_forces);
+    return solver_->evaluate(motion.x, t, motion.force);
+}
+
+void Simulation::add_contact(Motion& motion)
+{
+    const Stopwatch watch(seconds_.contact);
+    const auto& surface = body_.cloud.surface_particles;
+    gather(motion.x, surface, surface_x_);
+    gather(motion.v, surface, surface_v_);
+    surface_force_.assign(surface.size(), Vec3{});
+    contact_response_ = contact_.evaluate(surface_x_, surface_v_, critical_dt_, surface_force_);
+    const std::span<const double> limit = contact_.travel_limit();
+    for (std::size_t k = 0; k < surface.size(); ++k)
+    {
+        const auto i = static_cast<std::size_t>(surface[k]);
+        motion.force[i] += surface_force_[k];
+        travel_limit_[i] = limit[k];
+    }
+}
+
 /// Forces, energies and limits at a motion's positions; false when the positions are invalid.
 bool Simulation::evaluate(Motion& motion, double t)
 {
@@ -97,7 +121,7 @@ bool Simulation::evaluate(Motion& motion, double t)
     {
         set_layer(body_, t);
     }
-    const InternalResponse internal = solver_->evaluate(motion.x, t, motion.force);
+    const InternalResponse internal = internal_forces(motion, t);
     if (internal.invalid_at >= 0)
     {
         internal_.invalid_at = internal.invalid_at;
@@ -110,18 +134,7 @@ bool Simulation::evaluate(Motion& motion, double t)
                        : critical_step(options_.dynamics.cfl, body_.cloud.spacing, internal.stiffest_rate);
     if (options_.contact.enabled)
     {
-        const auto& surface = body_.cloud.surface_particles;
-        gather(motion.x, surface, surface_x_);
-        gather(motion.v, surface, surface_v_);
-        surface_force_.assign(surface.size(), Vec3{});
-        contact_response_ = contact_.evaluate(surface_x_, surface_v_, critical_dt_, surface_force_);
-        const std::span<const double> limit = contact_.travel_limit();
-        for (std::size_t k = 0; k < surface.size(); ++k)
-        {
-            const auto i = static_cast<std::size_t>(surface[k]);
-            motion.force[i] += surface_force_[k];
-            travel_limit_[i] = limit[k];
-        }
+        add_contact(motion);
     }
     return true;
 }

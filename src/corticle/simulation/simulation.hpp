@@ -13,6 +13,13 @@
 namespace corticle
 {
 
+/// What the parts of the steps took, wall time since the simulation was made [s].
+struct StepSeconds
+{
+    double internal_forces = 0.0;
+    double contact = 0.0; ///< search included
+};
+
 /// The loop: grow, F, stress, forces, contact, integrate. Steps follow the state; a step that inverts a particle is
 /// taken back and halved.
 class Simulation
@@ -33,6 +40,7 @@ class Simulation
     const Options& options() const { return options_; }
     const InternalResponse& internal() const { return internal_; }
     const ContactResponse& contact() const { return contact_response_; }
+    const StepSeconds& seconds() const { return seconds_; }
     double total_time() const { return total_time_; }
     /// Step the state allows now, in growth time [-].
     double step_size() const { return critical_dt_ * state_.step_scale * state_.loading_rate / total_time_; }
@@ -41,6 +49,8 @@ class Simulation
     std::vector<Vec3> surface_positions() const;
 
   private:
+    InternalResponse internal_forces(Motion& motion, double t);
+    void add_contact(Motion& motion);
     bool evaluate(Motion& motion, double t);
     std::optional<StepEnergies> propose(double t, double dt);
     void adjust_loading(double growth_step);
@@ -65,6 +75,7 @@ class Simulation
     std::vector<Vec3> surface_x_;
     std::vector<Vec3> surface_v_;
     std::vector<Vec3> surface_force_;
+    StepSeconds seconds_;
 };
 
 } // namespace corticle

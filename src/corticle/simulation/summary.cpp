@@ -67,6 +67,10 @@ std::string summary_json(const Simulation& simulation, const Measures& last, con
     {
         j["ns_per_element_step"] = cost_each(1e9, static_cast<double>(elements), info);
     }
+    j["internal_forces_s"] = simulation.seconds().internal_forces;
+    j["contact_s"] = simulation.seconds().contact;
+    j["measures_s"] = info.measures_s;
+    j["output_s"] = info.output_s;
     j["peak_memory_mb"] = peak_memory_mb();
     for (const SizeColumn& column : size_columns())
     {
@@ -120,6 +124,10 @@ std::vector<std::string> summary_number_keys()
                                   "wall_s",
                                   "ns_per_element_step",
                                   "us_per_particle_step",
+                                  "internal_forces_s",
+                                  "contact_s",
+                                  "measures_s",
+                                  "output_s",
                                   "peak_memory_mb",
                                   "onset_t",
                                   "zero_mode_share",

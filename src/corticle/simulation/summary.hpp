@@ -15,6 +15,8 @@ struct RunInfo
     double wall_s = 0.0; ///< all sessions of the run together
     double session_wall_s = 0.0;
     std::int64_t session_steps = 0;
+    double measures_s = 0.0; ///< of the session, in measuring at output times
+    double output_s = 0.0;   ///< of the session, in files, pictures and checkpoints
 };
 
 /// summary.json: see docs/guide/run-folder.md for the keys.
