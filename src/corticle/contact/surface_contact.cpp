@@ -4,6 +4,7 @@
 #include "corticle/base/parallel.hpp"
 #include "corticle/geometry/distance.hpp"
 
+#include <concepts>
 #include <limits>
 
 namespace corticle
@@ -105,27 +106,27 @@ void SurfaceContact::measure_due(std::span<const Vec3> x, Watch<Pair>& watched) 
 {
     const double rounding = 1e-9 * dhat_; // more than additions round off
     watched.near = parallel_reduce(
-        std::ssize(watched.pairs), std::vector<Near<Pair>>{},
+        std::ssize(watched.pairs), std::vector<Pair>{},
         [&](std::int64_t begin, std::int64_t end)
         {
-            std::vector<Near<Pair>> found;
+            std::vector<Pair> found;
             for (std::int64_t k = begin; k < end; ++k)
             {
                 const double path = path_of(watched.pairs[k]);
                 if (watched.due[k] < path + rounding)
                 {
-                    const Push push = measure(watched.pairs[k], x);
-                    watched.due[k] = path + push.distance - dhat_;
-                    if (push.distance < dhat_)
+                    const double distance = measure(watched.pairs[k], x).distance;
+                    watched.due[k] = path + distance - dhat_;
+                    if (distance < dhat_)
                     {
-                        found.push_back({watched.pairs[k], push});
+                        found.push_back(watched.pairs[k]);
+                        found.back().distance = distance;
                     }
                 }
             }
             return found;
         },
-        [](std::vector<Near<Pair>>& all, const std::vector<Near<Pair>>& part)
-        { all.insert(all.end(), part.begin(), part.end()); });
+        [](std::vector<Pair>& all, const std::vector<Pair>& part) { all.insert(all.end(), part.begin(), part.end()); });
 }
 
 /// Notes how far the vertices have moved, and says whether one of them has left its reach.
@@ -213,65 +214,81 @@ void SurfaceContact::apply(const std::array<std::int32_t, 4>& vertex, const Push
     ++response.active;
 }
 
-void SurfaceContact::push_vertices(std::span<const Vec3> v, double dt, std::span<Vec3> forces,
-                                   ContactResponse& response)
+/// Of the triangles near a vertex the closest pushes.
+void SurfaceContact::choose_vertices()
 {
-    const std::vector<Near<VertexTriangle>>& near = vertices_.near;
+    const std::vector<VertexTriangle>& near = vertices_.near;
+    vertices_.pushing.clear();
     for (std::size_t first = 0; first < near.size();)
     {
-        const std::int32_t vertex = near[first].pair.vertex;
+        const std::int32_t vertex = near[first].vertex;
         std::size_t closest = first;
         std::size_t m = first;
-        for (; m < near.size() && near[m].pair.vertex == vertex; ++m)
+        for (; m < near.size() && near[m].vertex == vertex; ++m)
         {
-            closest = near[m].push.distance < near[closest].push.distance ? m : closest;
-            limit_travel(vertices_of(near[m].pair), near[m].push.distance);
+            closest = near[m].distance < near[closest].distance ? m : closest;
+            limit_travel(vertices_of(near[m]), near[m].distance);
         }
         const double gap = vertex_gap_[static_cast<std::size_t>(vertex)];
-        if (near[closest].push.distance < gap)
+        if (near[closest].distance < gap)
         {
-            apply(vertices_of(near[closest].pair), near[closest].push, gap, v, dt, forces, response);
+            vertices_.pushing.push_back({near[closest], gap, {}});
         }
         first = m;
     }
 }
 
-void SurfaceContact::push_edges(std::span<const Vec3> v, double dt, std::span<Vec3> forces, ContactResponse& response)
+/// Two edges push each other that are each other's closest.
+void SurfaceContact::choose_edges()
 {
-    const std::vector<Near<EdgeEdge>>& near = edge_pairs_.near;
+    const std::vector<EdgeEdge>& near = edge_pairs_.near;
     const auto consider = [&](std::int32_t edge, std::size_t m)
     {
         std::int32_t& closest = closest_pair_[static_cast<std::size_t>(edge)];
-        if (closest < 0 || near[m].push.distance < near[static_cast<std::size_t>(closest)].push.distance)
+        if (closest < 0 || near[m].distance < near[static_cast<std::size_t>(closest)].distance)
         {
             closest = static_cast<std::int32_t>(m);
         }
     };
     for (std::size_t m = 0; m < near.size(); ++m)
     {
-        limit_travel(vertices_of(near[m].pair), near[m].push.distance);
-        consider(near[m].pair.first, m);
-        consider(near[m].pair.second, m);
+        limit_travel(vertices_of(near[m]), near[m].distance);
+        consider(near[m].first, m);
+        consider(near[m].second, m);
     }
+    edge_pairs_.pushing.clear();
     for (std::size_t m = 0; m < near.size(); ++m)
     {
         const auto index = static_cast<std::int32_t>(m);
-        const auto& [edges, push] = near[m];
-        const double gap = std::min(edge_gap_[static_cast<std::size_t>(edges.first)],
-                                    edge_gap_[static_cast<std::size_t>(edges.second)]);
-        const bool mutual = closest_pair_[static_cast<std::size_t>(edges.first)] == index &&
-                            closest_pair_[static_cast<std::size_t>(edges.second)] == index;
-        const bool inside =
-            push.weight[0] > 0.0 && push.weight[1] > 0.0 && push.weight[2] < 0.0 && push.weight[3] < 0.0;
-        if (mutual && inside && push.distance < gap)
+        const auto first = static_cast<std::size_t>(near[m].first);
+        const auto second = static_cast<std::size_t>(near[m].second);
+        const double gap = std::min(edge_gap_[first], edge_gap_[second]);
+        if (closest_pair_[first] == index && closest_pair_[second] == index && near[m].distance < gap)
         {
-            apply(vertices_of(edges), push, gap, v, dt, forces, response);
+            edge_pairs_.pushing.push_back({near[m], gap, {}});
         }
     }
-    for (const Near<EdgeEdge>& one : near)
+    for (const EdgeEdge& one : near)
     {
-        closest_pair_[static_cast<std::size_t>(one.pair.first)] = -1;
-        closest_pair_[static_cast<std::size_t>(one.pair.second)] = -1;
+        closest_pair_[static_cast<std::size_t>(one.first)] = -1;
+        closest_pair_[static_cast<std::size_t>(one.second)] = -1;
+    }
+}
+
+/// Edges push between their ends only; those belong to the vertices.
+template <class Pair>
+void SurfaceContact::push(std::span<const Vec3> x, std::span<const Vec3> v, double dt, Watch<Pair>& watched,
+                          std::span<Vec3> forces, ContactResponse& response) const
+{
+    parallel_for(std::ssize(watched.pushing),
+                 [&](std::int64_t m) { watched.pushing[m].push = measure(watched.pushing[m].pair, x); });
+    for (const auto& [pair, gap, push] : watched.pushing)
+    {
+        const auto& w = push.weight;
+        if (std::same_as<Pair, VertexTriangle> || (w[0] > 0.0 && w[1] > 0.0 && w[2] < 0.0 && w[3] < 0.0))
+        {
+            apply(vertices_of(pair), push, gap, v, dt, forces, response);
+        }
     }
 }
 
@@ -283,8 +300,10 @@ ContactResponse SurfaceContact::evaluate(std::span<const Vec3> x, std::span<cons
     measure_due(x, vertices_);
     measure_due(x, edge_pairs_);
     ContactResponse response;
-    push_vertices(v, dt, forces, response);
-    push_edges(v, dt, forces, response);
+    choose_vertices();
+    choose_edges();
+    push(x, v, dt, vertices_, forces, response);
+    push(x, v, dt, edge_pairs_, forces, response);
     return response;
 }
 

@@ -50,21 +50,24 @@ class SurfaceContact
         Vec3 direction;               ///< unit, from the second to the first
         std::array<double, 4> weight; ///< of the four vertices: positive on the first primitive, negative on the second
     };
-    /// A pair that is closer than dhat now.
+    /// A near pair that pushes where its closest points allow it.
     template <class Pair>
-    struct Near
+    struct Pushing
     {
         Pair pair;
+        double gap; ///< [mm]
         Push push;
     };
-    /// Candidates, and those of them that are near. The path of a pair is the length of way its two parts have moved: a
-    /// pair measured once need not be measured again before that has grown by what it was too far.
+    /// Candidates, and those of them that are near: closer than dhat now. The path of a pair is the length of way its
+    /// two parts have moved: a pair measured once need not be measured again before that has grown by what it was too
+    /// far.
     template <class Pair>
     struct Watch
     {
         std::vector<Pair> pairs;
-        std::vector<double> due;      ///< path at which it may be near [mm]
-        std::vector<Near<Pair>> near; ///< in the order of the pairs
+        std::vector<double> due;            ///< path at which it may be near [mm]
+        std::vector<Pair> near;             ///< in the order of the pairs, with their distance now
+        std::vector<Pushing<Pair>> pushing; ///< those of them that may push
     };
     std::array<std::int32_t, 4> vertices_of(const VertexTriangle& pair) const;
     std::array<std::int32_t, 4> vertices_of(const EdgeEdge& pair) const;
@@ -81,8 +84,11 @@ class SurfaceContact
     double path_of(const EdgeEdge& pair) const;
     bool follow(std::span<const Vec3> x);
     void refresh_candidates(std::span<const Vec3> x, std::span<const Vec3> v, double dt);
-    void push_vertices(std::span<const Vec3> v, double dt, std::span<Vec3> forces, ContactResponse& response);
-    void push_edges(std::span<const Vec3> v, double dt, std::span<Vec3> forces, ContactResponse& response);
+    void choose_vertices();
+    void choose_edges();
+    template <class Pair>
+    void push(std::span<const Vec3> x, std::span<const Vec3> v, double dt, Watch<Pair>& watched, std::span<Vec3> forces,
+              ContactResponse& response) const;
 
     std::vector<Triangle> triangles_;
     std::vector<Edge> edges_;
