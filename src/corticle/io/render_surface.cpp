@@ -135,7 +135,7 @@ void add_occlusion(vtkRenderer* renderer, double radius)
     vtkNew<vtkSSAOPass> occlusion;
     occlusion->SetRadius(radius);
     occlusion->SetBias(0.05 * radius);
-    occlusion->SetKernelSize(32);
+    occlusion->SetKernelSize(16);
     occlusion->BlurOn();
     occlusion->SetDelegatePass(steps);
     renderer->SetPass(occlusion);
@@ -284,12 +284,11 @@ struct PagePanel
 };
 
 /// Panels in two columns, a colour bar on their right, a title above.
-void save_page(const std::filesystem::path& png, std::span<const PagePanel> panels, int rows, const ColorScale& scale,
-               const std::string& title)
+void save_page(vtkRenderWindow* window, const std::filesystem::path& png, std::span<const PagePanel> panels,
+               const ColorScale& scale, const std::string& title)
 {
-    const int height = rows * row_height + title_height;
-    vtkNew<vtkRenderWindow> window;
-    set_up_window(window, picture_width, height);
+    const int height = window->GetSize()[1];
+    const int rows = (height - title_height) / row_height;
     vtkNew<vtkRenderer> page;
     page->SetBackground(1, 1, 1);
     window->AddRenderer(page);
@@ -304,6 +303,7 @@ void save_page(const std::filesystem::path& png, std::span<const PagePanel> pane
     const double bar_bottom = 0.5 * (rows - 1) * row_height + panel_bottom + 100;
     add_color_bar(page, scale, bar_left, bar_bottom, panel_size - 200);
     save_picture(window, png);
+    window->RemoveRenderer(page);
 }
 
 } // namespace
@@ -322,6 +322,8 @@ void render_surface(std::span<const Vec3> points, std::span<const Triangle> tria
     }
     const Pictures pictures = draw_views(points, triangles, colorings, bounding_box(points).center(),
                                          half_width > 0.0 ? half_width : fitting_half_width(points), views, panel_size);
+    vtkNew<vtkRenderWindow> window; // one for all pages: to make one takes as long as to draw a page
+    set_up_window(window, picture_width, row_height + title_height);
     for (std::size_t k = 0; k < colored.size(); ++k)
     {
         std::vector<PagePanel> panels;
@@ -329,7 +331,7 @@ void render_surface(std::span<const Vec3> points, std::span<const Triangle> tria
         {
             panels.push_back({pictures[k * views.size() + i], 0, i, views[i].caption});
         }
-        save_page(colored[k].png, panels, 1, colored[k].scale, title);
+        save_page(window, colored[k].png, panels, colored[k].scale, title);
     }
 }
 
@@ -351,7 +353,9 @@ void render_surface_pair(const std::filesystem::path& png, const std::array<Surf
             panels.push_back({pictures[i], views.size() - 1 - i, column, surface.caption + ", " + views[i].caption});
         }
     }
-    save_page(png, panels, static_cast<int>(views.size()), scale, title);
+    vtkNew<vtkRenderWindow> window;
+    set_up_window(window, picture_width, static_cast<int>(views.size()) * row_height + title_height);
+    save_page(window, png, panels, scale, title);
 }
 
 void render_surface_grid(const std::filesystem::path& png, std::size_t count, std::size_t columns,
