@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads the .vtp and .vtu files of a run: arrays appended raw, in blocks compressed by zlib, headers of 64 bits."""
+"""Reads the .vtp and .vtu files of a run: arrays appended raw, headers of 64 bits; older runs compressed them by zlib."""
 
 import array
 import struct
@@ -24,20 +24,29 @@ class VtkFile:
         self.begin = data.index(b"_", cut) + 1
         root = ElementTree.fromstring(data[:cut] + b"</VTKFile>")
         encoding = [root.get(key) for key in ("byte_order", "header_type", "compressor")]
-        if encoding != ["LittleEndian", "UInt64", "vtkZLibDataCompressor"]:
+        if encoding[:2] != ["LittleEndian", "UInt64"] or encoding[2] not in (None, "vtkZLibDataCompressor"):
             raise ValueError(f"{path}: encoding {encoding} is not read here")
+        self.is_compressed = encoding[2] is not None
         self.arrays = {element.get("Name"): element for element in root.iter("DataArray")}
 
-    def values(self, name):
-        element = self.arrays[name]
-        at = self.begin + int(element.get("offset"))
+    def bytes_at(self, at):
+        """The bytes of an array: their number, then they; or the numbers and sizes of blocks, then these."""
+        if not self.is_compressed:
+            size, = struct.unpack_from("<Q", self.data, at)
+            return self.data[at + 8:at + 8 + size]
         blocks, _, _ = struct.unpack_from("<3Q", self.data, at)
         sizes = struct.unpack_from(f"<{blocks}Q", self.data, at + 24)
         at += 24 + 8 * blocks
-        result = array.array(TYPE_CODES[element.get("type")])
+        parts = []
         for size in sizes:
-            result.frombytes(zlib.decompress(self.data[at:at + size]))
+            parts.append(zlib.decompress(self.data[at:at + size]))
             at += size
+        return b"".join(parts)
+
+    def values(self, name):
+        element = self.arrays[name]
+        result = array.array(TYPE_CODES[element.get("type")])
+        result.frombytes(self.bytes_at(self.begin + int(element.get("offset"))))
         if sys.byteorder == "big":
             result.byteswap()
         return result
