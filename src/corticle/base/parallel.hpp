@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <concepts>
 #include <cstdint>
 #include <vector>
 
@@ -96,6 +97,7 @@ template <class T, class BlockValue, class Join>
 T parallel_reduce(std::int64_t count, T initial, BlockValue&& block_value, Join&& join,
                   std::int64_t block_size = parallel_block)
 {
+    static_assert(!std::same_as<T, bool>, "the elements of vector<bool> share bytes, which threads may not");
     const std::int64_t blocks = (count + block_size - 1) / block_size;
     std::vector<T> partial(static_cast<std::size_t>(blocks), initial);
     parallel_blocks(

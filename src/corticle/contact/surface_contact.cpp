@@ -132,21 +132,21 @@ void SurfaceContact::measure_due(std::span<const Vec3> x, Watch<Pair>& watched) 
 /// Notes how far the vertices have moved, and says whether one of them has left its reach.
 bool SurfaceContact::follow(std::span<const Vec3> x)
 {
-    const bool left = parallel_reduce(
-        std::ssize(x), false,
+    const std::int64_t left = parallel_reduce(
+        std::ssize(x), std::int64_t{0},
         [&](std::int64_t begin, std::int64_t end)
         {
-            bool any = false;
+            std::int64_t outside = 0;
             for (std::int64_t k = begin; k < end; ++k)
             {
                 step_[k] = norm(x[k] - last_x_[k]);
                 vertex_path_[k] += step_[k];
                 last_x_[k] = x[k];
-                any = any || squared_norm(x[k] - listed_at_[k]) > reach_[k] * reach_[k];
+                outside += squared_norm(x[k] - listed_at_[k]) > reach_[k] * reach_[k] ? 1 : 0;
             }
-            return any;
+            return outside;
         },
-        [](bool& any, bool part) { any = any || part; });
+        [](std::int64_t& total, std::int64_t part) { total += part; });
     parallel_for(std::ssize(triangles_),
                  [&](std::int64_t k)
                  {
@@ -159,7 +159,7 @@ bool SurfaceContact::follow(std::span<const Vec3> x)
                      const Edge& end = edges_[static_cast<std::size_t>(k)];
                      edge_path_[k] += std::max(step_[end[0]], step_[end[1]]);
                  });
-    return left;
+    return left > 0;
 }
 
 /// Finds the candidates anew when one may be missing.

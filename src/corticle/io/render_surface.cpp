@@ -383,7 +383,8 @@ void render_surface_grid(const std::filesystem::path& png, std::size_t count, st
             const std::array coloring{Coloring{one.scalar, &scale}};
             const Pictures pictures =
                 draw_views(one.points, one.triangles, coloring, center, half_width, {views.data(), 1}, tile_picture);
-            add_image(page, pictures.front(), left + (tile_width - tile_picture) / 2, bottom + tile_caption);
+            constexpr int margin = (tile_width - tile_picture) / 2;
+            add_image(page, pictures.front(), left + margin, bottom + tile_caption);
         }
         add_text(page, one.caption, left + 0.5 * tile_width, bottom + 0.5 * tile_caption,
                  {.size = caption_size(one.caption)});

@@ -102,7 +102,7 @@ vtkNew<vtkCellArray> cells_of(std::size_t count, int corners_per_cell, Corner&& 
 {
     vtkNew<vtkIdTypeArray> offsets;
     vtkNew<vtkIdTypeArray> corners;
-    offsets->SetNumberOfValues(static_cast<vtkIdType>(count + 1));
+    offsets->SetNumberOfValues(static_cast<vtkIdType>(count) + 1);
     corners->SetNumberOfValues(static_cast<vtkIdType>(count) * corners_per_cell);
     for (vtkIdType cell = 0; cell <= static_cast<vtkIdType>(count); ++cell)
     {
