@@ -46,11 +46,11 @@ class BoxGrid
         }
     }
 
-    /// Calls found(k) for every box k > above that overlaps the query, once each, in an order that depends on the
-    /// boxes alone; also for one that misses it by the rounding of a float.
-    template <class Found>
-    void query(const Box& box, std::int32_t above, Found&& found) const
+    /// Sets `found` to every box k > above that overlaps the query, once each, in an order that depends on the boxes
+    /// alone; also to one that misses it by the rounding of a float.
+    void query(const Box& box, std::int32_t above, std::vector<std::int32_t>& found) const
     {
+        found.clear();
         for (const Level& level : levels_)
         {
             level.query(box, above, found);
@@ -138,8 +138,7 @@ class BoxGrid
             }
         }
 
-        template <class Found>
-        void query(const Box& box, std::int32_t above, Found& found) const
+        void query(const Box& box, std::int32_t above, std::vector<std::int32_t>& found) const
         {
             const Item asked = item(box, above);
             const Cell low = cell_of(box.low - largest_);
@@ -154,7 +153,7 @@ class BoxGrid
                         const Item& other = items_[static_cast<std::size_t>(m)];
                         if (other.index > above && overlap(asked, other))
                         {
-                            found(other.index);
+                            found.push_back(other.index);
                         }
                     }
                 }

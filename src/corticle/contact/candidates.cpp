@@ -78,9 +78,7 @@ std::vector<VertexTriangle> close_vertex_triangles(std::span<const Vec3> x, std:
                 const std::size_t first = found.size();
                 const Vec3 p = at(x, vertex);
                 const double wide = reach[static_cast<std::size_t>(v)];
-                overlapping.clear();
-                grid.query({p - Vec3{wide, wide, wide}, p + Vec3{wide, wide, wide}}, -1,
-                           [&](std::int32_t triangle) { overlapping.push_back(triangle); });
+                grid.query({p - Vec3{wide, wide, wide}, p + Vec3{wide, wide, wide}}, -1, overlapping);
                 for (const std::int32_t triangle : overlapping)
                 {
                     const Triangle& corner = triangles[static_cast<std::size_t>(triangle)];
@@ -119,9 +117,7 @@ std::vector<EdgeEdge> close_edge_edges(std::span<const Vec3> x, std::span<const 
                                      const auto first = static_cast<std::int32_t>(k);
                                      const Edge e = edges[static_cast<std::size_t>(k)];
                                      const std::size_t begin_of_edge = found.size();
-                                     overlapping.clear();
-                                     grid.query(parts.boxes[static_cast<std::size_t>(k)], first,
-                                                [&](std::int32_t second) { overlapping.push_back(second); });
+                                     grid.query(parts.boxes[static_cast<std::size_t>(k)], first, overlapping);
                                      for (const std::int32_t second : overlapping)
                                      {
                                          const Edge o = edges[static_cast<std::size_t>(second)];

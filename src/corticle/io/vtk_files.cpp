@@ -87,11 +87,12 @@ void write(const std::filesystem::path& file, vtkDataObject* data)
                          writer->SetFileName(temporary.c_str());
                          errno = 0;
                          const bool written = writer->Write() == 1 && is_complete(temporary);
-                         const int reason = errno != 0 ? errno : ENOSPC;
+                         const int reason = errno;
                          if (!written)
                          {
                              throw RunError(fmt::format("cannot write {}: {}", file.string(),
-                                                        std::generic_category().message(reason)));
+                                                        reason != 0 ? std::generic_category().message(reason)
+                                                                    : "VTK left it incomplete"));
                          }
                      });
 }

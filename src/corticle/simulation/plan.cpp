@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/base/parallel.hpp"
+#include "corticle/base/stopwatch.hpp"
 #include "corticle/simulation/run_folder.hpp"
 #include "corticle/simulation/simulation.hpp"
 
 #include <fmt/format.h>
-
-#include <chrono>
 
 namespace corticle
 {
@@ -41,13 +40,15 @@ Plan plan(const Options& options, int threads)
     const DynamicsOptions& dynamics = options.dynamics;
     const double longer = dynamics.time_step > 0.0 ? 1.0 : steps_over_first * quickened_steps(dynamics);
     result.steps = longer * (options.time.end - options.time.start) / simulation.step_size();
-    const auto start = std::chrono::steady_clock::now();
-    for (int k = 0; k < timed_steps; ++k)
+    double timed_s = 0.0;
     {
-        simulation.step(options.time.end);
+        const Stopwatch watch(timed_s);
+        for (int k = 0; k < timed_steps; ++k)
+        {
+            simulation.step(options.time.end);
+        }
     }
-    const double each = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / timed_steps;
-    result.seconds = contact_surcharge * each * result.steps;
+    result.seconds = contact_surcharge * timed_s / timed_steps * result.steps;
     const std::string links = body.fem ? fmt::format("elements    {}", body.fem->elements.tets.size())
                                        : fmt::format("neighbours  {:.1f}", result.neighbors_mean);
     result.text = fmt::format("{}particles   {} ({} on the surface)\nspacing     {:.4g} mm\n{}\nsteps  "

@@ -94,8 +94,7 @@ class Recorder
             arrays = surface_arrays(simulation, F, scale);
             rows_.push_back(measure(simulation, F, arrays, scale));
         }
-        write(simulation, make_frame(simulation, std::move(F), scale, frame_name(rows_.size() - 1)), arrays,
-              with_pictures);
+        write(simulation, std::move(F), scale, arrays, with_pictures);
         save(simulation);
         const Measures& row = rows_.back();
         log_->info("t = {:.4f}: step {}, area ratio {:.4f}, sphere index {:.4f}, hull index {:.4f}, J {:.3f} to "
@@ -147,9 +146,11 @@ class Recorder
 
   private:
     /// Files and pictures of an output time.
-    void write(const Simulation& simulation, Frame frame, const SurfaceArrays& arrays, bool with_pictures)
+    void write(const Simulation& simulation, std::vector<Mat3> F, const PhysicalScale& scale,
+               const SurfaceArrays& arrays, bool with_pictures)
     {
         const Stopwatch watch(output_s_);
+        Frame frame = make_frame(simulation, std::move(F), scale, frame_name(rows_.size() - 1));
         frame.sulcal_depth = arrays.folds.sulcal_depth;
         frame.mean_curvature = arrays.folds.curvature.mean;
         write_frame(request_.out, simulation, frame, arrays);

@@ -45,8 +45,12 @@ struct PassInput
     const Vec3* x;
 };
 
-/// How far ahead of the row of a table at hand its particle is asked for.
-constexpr std::size_t rows_ahead = 32;
+/// The particle some rows of a table further on, to be asked for now.
+CORTICLE_INLINE std::int32_t ahead_of(std::span<const std::int32_t> table, std::size_t row)
+{
+    constexpr std::size_t rows_ahead = 32;
+    return table[std::min(row + rows_ahead, table.size() - 1)];
+}
 
 CORTICLE_INLINE void fill_deformation_terms(const Block& block, const Vec3* x, std::vector<PairTerms>& terms)
 {
@@ -55,7 +59,7 @@ CORTICLE_INLINE void fill_deformation_terms(const Block& block, const Vec3* x, s
     for (std::size_t m = 0; m < table.size(); ++m)
     {
         const std::int32_t j = table[m];
-        const std::int32_t soon = table[std::min(m + rows_ahead, table.size() - 1)];
+        const std::int32_t soon = ahead_of(table, m);
         read_soon(&block.particles.X[soon]);
         read_soon(&x[soon]);
         terms[m] = deformation_terms(block.particles.X[j] - block.X_origin, x[j] - block.x_origin);
@@ -223,7 +227,7 @@ CORTICLE_EVERY_ISA void force_block(const Block& block, std::vector<PairTerms>& 
     for (std::size_t m = 0; m < table.size(); ++m)
     {
         const std::int32_t j = table[m];
-        const std::int32_t soon = table[std::min(m + rows_ahead, table.size() - 1)];
+        const std::int32_t soon = ahead_of(table, m);
         read_soon(&X[soon]);
         read_soon(&records[soon].M);
         read_soon(&records[soon].M.column[2]);
