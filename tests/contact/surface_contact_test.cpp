@@ -89,8 +89,11 @@ std::vector<Vec3> tip_over_triangle(double height)
 
 SurfaceContact tip_contact()
 {
-    return {
-        {{0, 1, 2}, {3, 4, 5}}, tip_over_triangle(2.0), {1.0, 2.0, 4.0, 0.5, 1.0, 1.0}, 1.0, {true, 0.3, stiffness}};
+    return {std::vector<Triangle>{{0, 1, 2}, {3, 4, 5}},
+            tip_over_triangle(2.0),
+            {1.0, 2.0, 4.0, 0.5, 1.0, 1.0},
+            1.0,
+            {true, 0.3, stiffness}};
 }
 
 TEST(SurfaceContact, StiffnessFollowsTheEffectiveMassAndTheStep)
@@ -192,7 +195,9 @@ TEST(SurfaceContact, OnlyTheClosestTrianglePushes)
     }
     SurfaceContact contact(triangles, rest, std::vector<double>(9, 1.0), 1.0, {true, 0.3, stiffness});
     const std::vector<double> reach(x.size());
-    ASSERT_GT(find_candidates(x, triangles, unique_edges(triangles), 0.3, reach).vertex_triangle.size(), 1u);
+    Candidates found;
+    SurfaceParts(triangles, x).find_candidates(x, 0.3, reach, found);
+    ASSERT_GT(found.vertex_triangle.size(), 1u);
     const Evaluated result = evaluate(contact, x);
     EXPECT_EQ(result.response.active, 1);
     EXPECT_LT(result.forces[0].z, 0.0);

@@ -48,13 +48,13 @@ inline int thread_number()
 #endif
 }
 
-/// Calls body(begin, end) for consecutive blocks of [0, count); blocks run concurrently, in any order.
-/// The body must not throw.
+/// Calls body(begin, end) for consecutive blocks of [0, count); blocks run concurrently, in any order. Where an item
+/// takes long, smaller blocks give each thread its part. The body must not throw.
 template <class Body>
 void parallel_blocks(std::int64_t count, Body&& body, std::int64_t block_size = parallel_block)
 {
     const std::int64_t blocks = (count + block_size - 1) / block_size;
-    const std::int64_t chunk = std::max<std::int64_t>(1, 2 * parallel_block / block_size);
+    const std::int64_t chunk = block_size == parallel_block ? 2 : 1;
 #pragma omp parallel for schedule(dynamic, chunk) if (blocks > 1)
     for (std::int64_t block = 0; block < blocks; ++block)
     {
@@ -111,6 +111,33 @@ T parallel_reduce(std::int64_t count, T initial, BlockValue&& block_value, Join&
         join(result, value);
     }
     return result;
+}
+
+/// Sets `all` to what blocks append concurrently, in the order of the blocks: `append(begin, end, part)`.
+template <class T, class Append>
+void parallel_list(std::int64_t count, std::vector<T>& all, Append&& append, std::int64_t block_size = parallel_block)
+{
+    std::vector<std::vector<T>> parts(static_cast<std::size_t>((count + block_size - 1) / block_size));
+    parallel_blocks(
+        count, [&](std::int64_t begin, std::int64_t end) { append(begin, end, parts[begin / block_size]); },
+        block_size);
+    std::vector<std::ptrdiff_t> first{0};
+    for (const std::vector<T>& part : parts)
+    {
+        first.push_back(first.back() + std::ssize(part));
+    }
+    all.resize(static_cast<std::size_t>(first.back()));
+    constexpr std::int64_t parts_at_a_time = 16;
+    parallel_blocks(
+        std::ssize(parts),
+        [&](std::int64_t begin, std::int64_t end)
+        {
+            for (std::int64_t k = begin; k < end; ++k)
+            {
+                std::copy(parts[k].begin(), parts[k].end(), all.begin() + first[k]);
+            }
+        },
+        parts_at_a_time);
 }
 
 /// sum_i value(i), in a fixed order.

@@ -2,7 +2,9 @@
 #include "corticle/contact/candidates.hpp"
 
 #include "corticle/base/parallel.hpp"
-#include "corticle/contact/box_grid.hpp"
+#include "corticle/base/wide_group.hpp"
+#include "corticle/cloud/space_filling_curve.hpp"
+#include "corticle/contact/box_tiles.hpp"
 #include "corticle/geometry/distance.hpp"
 
 namespace corticle
@@ -16,133 +18,122 @@ Vec3 at(std::span<const Vec3> x, std::int32_t vertex)
     return x[static_cast<std::size_t>(vertex)];
 }
 
-/// What is searched for: edges or triangles, each with its box and its reach.
-struct Parts
+/// Sets `found` to the pairs of parts, one of each kind, that are closer than range plus the reach of both.
+/// @param pair_of  pair_of(first, second) makes a pair of two parts
+/// @param wanted   wanted(pair) says whether it counts
+/// @param measure  measure(pairs) sets the distances of several
+template <class Pair, class Searched, class PairOf, class Wanted, class Measure>
+void find_pairs(const Searched& firsts, const Searched& seconds, double range, std::vector<Pair>& found,
+                PairOf&& pair_of, Wanted&& wanted, Measure&& measure)
 {
-    std::vector<Box> boxes;    ///< wider than the part by its reach and the margin
-    std::vector<double> reach; ///< [mm]
-};
-
-template <class Corners>
-Parts parts_of(std::span<const Vec3> x, std::span<const double> reach, std::span<const Corners> items, double margin)
-{
-    Parts parts{std::vector<Box>(items.size()), std::vector<double>(items.size())};
-    parallel_for(std::ssize(items),
-                 [&](std::int64_t k)
-                 {
-                     const Corners& corners = items[static_cast<std::size_t>(k)];
-                     Box box{at(x, corners[0]), at(x, corners[0])};
-                     double largest = 0.0;
-                     for (const std::int32_t corner : corners)
-                     {
-                         const Vec3 p = at(x, corner);
-                         box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
-                         box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
-                         largest = std::max(largest, reach[static_cast<std::size_t>(corner)]);
-                     }
-                     const double wide = margin + largest;
-                     parts.boxes[k] = {box.low - Vec3{wide, wide, wide}, box.high + Vec3{wide, wide, wide}};
-                     parts.reach[k] = largest;
-                 });
-    return parts;
-}
-
-/// Runs `search(begin, end, found)` over blocks concurrently and joins what they found in order.
-template <class Pair, class Search>
-std::vector<Pair> collect(std::int64_t count, Search&& search)
-{
-    return parallel_reduce(
-        count, std::vector<Pair>{},
-        [&](std::int64_t begin, std::int64_t end)
+    constexpr std::int64_t tiles_at_a_time = 8;
+    parallel_list(
+        firsts.boxes.tile_count(), found,
+        [&](std::int64_t begin, std::int64_t end, std::vector<Pair>& pairs)
         {
-            std::vector<Pair> found;
-            search(begin, end, found);
-            return found;
-        },
-        [](std::vector<Pair>& all, const std::vector<Pair>& part) { all.insert(all.end(), part.begin(), part.end()); });
-}
-
-std::vector<VertexTriangle> close_vertex_triangles(std::span<const Vec3> x, std::span<const Triangle> triangles,
-                                                   double range, std::span<const double> reach, double cell)
-{
-    const auto parts = parts_of(x, reach, triangles, range);
-    const BoxGrid grid(parts.boxes, cell);
-    return collect<VertexTriangle>(
-        std::ssize(x),
-        [&](std::int64_t begin, std::int64_t end, std::vector<VertexTriangle>& found)
-        {
-            std::vector<std::int32_t> overlapping;
-            for (std::int64_t v = begin; v < end; ++v)
+            std::vector<double> within;
+            std::vector<BoxPair> overlapping;
+            for (std::int64_t tile = begin; tile < end; ++tile)
             {
-                const auto vertex = static_cast<std::int32_t>(v);
-                const std::size_t first = found.size();
-                const Vec3 p = at(x, vertex);
-                const double wide = reach[static_cast<std::size_t>(v)];
-                grid.query({p - Vec3{wide, wide, wide}, p + Vec3{wide, wide, wide}}, -1, overlapping);
-                for (const std::int32_t triangle : overlapping)
+                firsts.boxes.find_overlaps(static_cast<std::int32_t>(tile), seconds.boxes, overlapping);
+                for (const auto& [first, second] : overlapping)
                 {
-                    const Triangle& corner = triangles[static_cast<std::size_t>(triangle)];
-                    if (std::find(corner.begin(), corner.end(), vertex) != corner.end())
+                    const Pair pair = pair_of(first, second);
+                    if (wanted(pair))
                     {
-                        continue;
-                    }
-                    const Vec3 a = at(x, corner[0]);
-                    const Vec3 b = at(x, corner[1]);
-                    const Vec3 c = at(x, corner[2]);
-                    const auto weight = closest_on_triangle(p, a, b, c);
-                    const double squared = squared_norm(p - (weight[0] * a + weight[1] * b + weight[2] * c));
-                    const double within = range + wide + parts.reach[static_cast<std::size_t>(triangle)];
-                    if (squared < within * within)
-                    {
-                        found.push_back({vertex, triangle, std::sqrt(squared)});
+                        pairs.push_back(pair);
+                        within.push_back(range + firsts.reach[static_cast<std::size_t>(first)] +
+                                         seconds.reach[static_cast<std::size_t>(second)]);
                     }
                 }
-                std::sort(found.begin() + static_cast<std::ptrdiff_t>(first), found.end(),
-                          [](const VertexTriangle& a, const VertexTriangle& b) { return a.triangle < b.triangle; });
             }
-        });
+            measure(pairs);
+            std::size_t kept = 0;
+            for (std::size_t k = 0; k < pairs.size(); ++k)
+            {
+                pairs[kept] = pairs[k];
+                kept += pairs[k].distance < within[k] ? 1 : 0;
+            }
+            pairs.resize(kept);
+        },
+        tiles_at_a_time);
 }
 
-std::vector<EdgeEdge> close_edge_edges(std::span<const Vec3> x, std::span<const Edge> edges, double range,
-                                       std::span<const double> reach, double cell)
+/// Vectors between the closest points of eight pairs.
+CORTICLE_INLINE WideVec3 between_closest(const WideVec3 (&corner)[4], const VertexTriangle&)
 {
-    const auto parts = parts_of(x, reach, edges, 0.5 * range);
-    const BoxGrid grid(parts.boxes, cell);
-    return collect<EdgeEdge>(std::ssize(edges),
-                             [&](std::int64_t begin, std::int64_t end, std::vector<EdgeEdge>& found)
-                             {
-                                 std::vector<std::int32_t> overlapping;
-                                 for (std::int64_t k = begin; k < end; ++k)
-                                 {
-                                     const auto first = static_cast<std::int32_t>(k);
-                                     const Edge e = edges[static_cast<std::size_t>(k)];
-                                     const std::size_t begin_of_edge = found.size();
-                                     grid.query(parts.boxes[static_cast<std::size_t>(k)], first, overlapping);
-                                     for (const std::int32_t second : overlapping)
-                                     {
-                                         const Edge o = edges[static_cast<std::size_t>(second)];
-                                         if (e[0] == o[0] || e[0] == o[1] || e[1] == o[0] || e[1] == o[1])
-                                         {
-                                             continue;
-                                         }
-                                         const Vec3 a = at(x, e[0]);
-                                         const Vec3 b = at(x, e[1]);
-                                         const Vec3 c = at(x, o[0]);
-                                         const Vec3 d = at(x, o[1]);
-                                         const auto [s, t] = closest_of_segments(a, b, c, d);
-                                         const double squared = squared_norm(a + s * (b - a) - c - t * (d - c));
-                                         const double within = range + parts.reach[static_cast<std::size_t>(k)] +
-                                                               parts.reach[static_cast<std::size_t>(second)];
-                                         if (squared < within * within)
-                                         {
-                                             found.push_back({first, second, std::sqrt(squared)});
-                                         }
-                                     }
-                                     std::sort(found.begin() + static_cast<std::ptrdiff_t>(begin_of_edge), found.end(),
-                                               [](const EdgeEdge& a, const EdgeEdge& b)
-                                               { return a.second < b.second; });
-                                 }
-                             });
+    const auto& [p, a, b, c] = corner;
+    const auto weight = closest_on_triangle(p, a, b, c);
+    return p - (weight[0] * a + weight[1] * b + weight[2] * c);
+}
+CORTICLE_INLINE WideVec3 between_closest(const WideVec3 (&corner)[4], const EdgeEdge&)
+{
+    const auto& [a, b, c, d] = corner;
+    const auto [s, t] = closest_of_segments(a, b, c, d);
+    return a + s * (b - a) - c - t * (d - c);
+}
+
+/// Sets the distance of every pair, eight at a time.
+template <class Part, class Pair>
+CORTICLE_INLINE void measure_groups(const Vec3* x, const Part* parts, std::span<Pair> pairs)
+{
+    for (std::int64_t first = 0; first < std::ssize(pairs); first += wide_lanes)
+    {
+        const WideGroup group{first, std::min(wide_lanes, std::ssize(pairs) - first)};
+        std::array<std::array<std::int32_t, wide_lanes>, 4> vertices;
+        for (int lane = 0; lane < wide_lanes; ++lane)
+        {
+            const auto four = vertices_of(pairs[static_cast<std::size_t>(group.at(lane))], parts);
+            for (std::size_t c = 0; c < 4; ++c)
+            {
+                vertices[c][lane] = four[c];
+            }
+        }
+        WideVec3 corner[4];
+        for (std::size_t c = 0; c < 4; ++c)
+        {
+            const std::int32_t* of_corner = vertices[c].data();
+            corner[c] = WideGroup{0, wide_lanes}.gather_vectors([x, of_corner](std::int64_t lane) -> const Vec3&
+                                                                { return x[of_corner[lane]]; });
+        }
+        WideLanes distance = square_root(squared_norm(between_closest(corner, Pair{})));
+        for (int lane = 0; lane < group.count; ++lane)
+        {
+            pairs[static_cast<std::size_t>(first + lane)].distance = at_lane(distance, lane);
+        }
+    }
+}
+
+CORTICLE_EVERY_ISA void measure_pairs(const Vec3* x, const Triangle* triangles, std::span<VertexTriangle> pairs)
+{
+    measure_groups(x, triangles, pairs);
+}
+CORTICLE_EVERY_ISA void measure_pairs(const Vec3* x, const Edge* edges, std::span<EdgeEdge> pairs)
+{
+    measure_groups(x, edges, pairs);
+}
+
+template <class Part>
+std::vector<Part> in_order(std::span<const Part> parts, std::span<const Vec3> x)
+{
+    std::vector<Vec3> middles;
+    middles.reserve(parts.size());
+    for (const Part& part : parts)
+    {
+        Vec3 sum;
+        for (const std::int32_t vertex : part)
+        {
+            sum += at(x, vertex);
+        }
+        middles.push_back(sum / static_cast<double>(part.size()));
+    }
+    std::vector<Part> ordered;
+    ordered.reserve(parts.size());
+    for (const std::int32_t k : hilbert_order(middles))
+    {
+        ordered.push_back(parts[static_cast<std::size_t>(k)]);
+    }
+    return ordered;
 }
 
 } // namespace
@@ -165,17 +156,80 @@ std::vector<Edge> unique_edges(std::span<const Triangle> triangles)
     return edges;
 }
 
-Candidates find_candidates(std::span<const Vec3> x, std::span<const Triangle> triangles, std::span<const Edge> edges,
-                           double range, std::span<const double> reach)
+SurfaceParts::SurfaceParts(std::span<const Triangle> triangles, std::span<const Vec3> rest)
+    : triangles_(in_order(triangles, rest)), edges_(in_order(std::span<const Edge>(unique_edges(triangles)), rest))
 {
-    const double lengths = parallel_sum(std::ssize(edges),
-                                        [&](std::int64_t k)
-                                        {
-                                            const Edge& e = edges[static_cast<std::size_t>(k)];
-                                            return norm(at(x, e[0]) - at(x, e[1]));
-                                        });
-    const double cell = lengths / static_cast<double>(edges.size()) + range;
-    return {close_vertex_triangles(x, triangles, range, reach, cell), close_edge_edges(x, edges, range, reach, cell)};
+    for (const std::int32_t vertex : hilbert_order(rest))
+    {
+        vertices_.push_back({vertex});
+    }
+}
+
+void SurfaceParts::measure(std::span<const Vec3> x, std::span<VertexTriangle> pairs) const
+{
+    measure_pairs(x.data(), triangles_.data(), pairs);
+}
+
+void SurfaceParts::measure(std::span<const Vec3> x, std::span<EdgeEdge> pairs) const
+{
+    measure_pairs(x.data(), edges_.data(), pairs);
+}
+
+template <class Part>
+void SurfaceParts::enclose(std::span<const Part> parts, std::span<const Vec3> x, double range,
+                           std::span<const double> reach, Searched& searched)
+{
+    searched.reach.resize(parts.size());
+    searched.boxes.set(
+        std::ssize(parts),
+        [&](std::int64_t k)
+        {
+            const Part& part = parts[static_cast<std::size_t>(k)];
+            Box box{at(x, part[0]), at(x, part[0])};
+            double largest = 0.0;
+            for (const std::int32_t vertex : part)
+            {
+                const Vec3 p = at(x, vertex);
+                box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
+                box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
+                largest = std::max(largest, reach[static_cast<std::size_t>(vertex)]);
+            }
+            searched.reach[static_cast<std::size_t>(k)] = largest;
+            const double wide = 0.5 * range + largest;
+            return Box{box.low - Vec3{wide, wide, wide}, box.high + Vec3{wide, wide, wide}};
+        });
+}
+
+void SurfaceParts::find_candidates(std::span<const Vec3> x, double range, std::span<const double> reach,
+                                   Candidates& found)
+{
+    enclose<std::array<std::int32_t, 1>>(vertices_, x, range, reach, searched_vertices_);
+    enclose<Triangle>(triangles_, x, range, reach, searched_triangles_);
+    enclose<Edge>(edges_, x, range, reach, searched_edges_);
+    const auto measured = [&](auto& pairs) { measure(x, pairs); };
+    find_pairs(
+        searched_vertices_, searched_triangles_, range, found.vertex_triangle,
+        [&](std::int32_t vertex, std::int32_t triangle) {
+            return VertexTriangle{vertices_[static_cast<std::size_t>(vertex)][0], triangle, 0.0};
+        },
+        [&](const VertexTriangle& pair)
+        {
+            const Triangle& corner = triangles_[static_cast<std::size_t>(pair.triangle)];
+            return pair.vertex != corner[0] && pair.vertex != corner[1] && pair.vertex != corner[2];
+        },
+        measured);
+    find_pairs(
+        searched_edges_, searched_edges_, range, found.edge_edge,
+        [](std::int32_t first, std::int32_t second) {
+            return EdgeEdge{first, second, 0.0};
+        },
+        [&](const EdgeEdge& pair)
+        {
+            const Edge& a = edges_[static_cast<std::size_t>(pair.first)];
+            const Edge& b = edges_[static_cast<std::size_t>(pair.second)];
+            return a[0] != b[0] && a[0] != b[1] && a[1] != b[0] && a[1] != b[1];
+        },
+        measured);
 }
 
 } // namespace corticle

@@ -13,7 +13,7 @@ namespace corticle
 namespace
 {
 
-constexpr double least_reach = 0.05;    ///< [spacings]
+constexpr double least_reach = 0.08;    ///< [spacings]
 constexpr double largest_reach = 0.8;   ///< [spacings]
 constexpr double steps_of_reach = 30.0; ///< for which a vertex that keeps its speed stays within its reach
 constexpr double travel_share = 0.4;    ///< of the distance; both sides together use 0.8 of it
@@ -25,42 +25,38 @@ Vec3 at(std::span<const Vec3> x, std::int32_t vertex)
 
 } // namespace
 
-SurfaceContact::SurfaceContact(std::vector<Triangle> triangles, std::span<const Vec3> rest, std::vector<double> masses,
-                               double spacing, const ContactOptions& options)
-    : triangles_(std::move(triangles)), edges_(unique_edges(triangles_)), masses_(std::move(masses)),
-      dhat_(options.distance * spacing), spacing_(spacing), stiffness_(options.stiffness),
-      vertex_gap_(rest.size(), dhat_), edge_gap_(edges_.size(), dhat_), reach_(rest.size()), step_(rest.size()),
-      vertex_path_(rest.size()), triangle_path_(triangles_.size()), edge_path_(edges_.size()),
-      closest_pair_(edges_.size(), -1), travel_limit_(rest.size())
+SurfaceContact::SurfaceContact(std::span<const Triangle> triangles, std::span<const Vec3> rest,
+                               std::vector<double> masses, double spacing, const ContactOptions& options)
+    : parts_(triangles, rest), masses_(std::move(masses)), dhat_(options.distance * spacing), spacing_(spacing),
+      stiffness_(options.stiffness), vertex_gap_(rest.size(), dhat_), edge_gap_(parts_.edges().size(), dhat_),
+      reach_(rest.size()), step_(rest.size()), vertex_path_(rest.size()), triangle_path_(parts_.triangles().size()),
+      edge_path_(parts_.edges().size()), closest_triangle_(rest.size(), -1), closest_edge_(parts_.edges().size(), -1),
+      travel_limit_(rest.size())
 {
     refresh_candidates(rest, std::vector<Vec3>(rest.size()), 0.0);
-    for (const VertexTriangle& pair : vertices_.pairs)
+    for (const VertexTriangle& pair : candidates_.vertex_triangle)
     {
         double& gap = vertex_gap_[static_cast<std::size_t>(pair.vertex)];
-        gap = std::min(gap, measure(pair, rest).distance);
+        gap = std::min(gap, pair.distance);
     }
-    for (const EdgeEdge& pair : edge_pairs_.pairs)
+    for (const EdgeEdge& pair : candidates_.edge_edge)
     {
-        const double distance = measure(pair, rest).distance;
         for (const std::int32_t edge : {pair.first, pair.second})
         {
             double& gap = edge_gap_[static_cast<std::size_t>(edge)];
-            gap = std::min(gap, distance);
+            gap = std::min(gap, pair.distance);
         }
     }
 }
 
 std::array<std::int32_t, 4> SurfaceContact::vertices_of(const VertexTriangle& pair) const
 {
-    const Triangle& corner = triangles_[static_cast<std::size_t>(pair.triangle)];
-    return {pair.vertex, corner[0], corner[1], corner[2]};
+    return corticle::vertices_of(pair, parts_.triangles().data());
 }
 
 std::array<std::int32_t, 4> SurfaceContact::vertices_of(const EdgeEdge& pair) const
 {
-    const Edge& a = edges_[static_cast<std::size_t>(pair.first)];
-    const Edge& b = edges_[static_cast<std::size_t>(pair.second)];
-    return {a[0], a[1], b[0], b[1]};
+    return corticle::vertices_of(pair, parts_.edges().data());
 }
 
 SurfaceContact::Push SurfaceContact::measure(const VertexTriangle& pair, std::span<const Vec3> x) const
@@ -93,40 +89,42 @@ double SurfaceContact::path_of(const EdgeEdge& pair) const
 }
 
 template <class Pair>
-void SurfaceContact::watch(std::vector<Pair> pairs, Watch<Pair>& watched) const
+void SurfaceContact::watch(std::span<const Pair> pairs, Watch<Pair>& watched) const
 {
-    watched.pairs = std::move(pairs);
-    watched.due.resize(watched.pairs.size());
-    parallel_for(std::ssize(watched.pairs), [&](std::int64_t k)
-                 { watched.due[k] = path_of(watched.pairs[k]) + watched.pairs[k].distance - dhat_; });
+    watched.due.resize(pairs.size());
+    parallel_for(std::ssize(pairs),
+                 [&](std::int64_t k) { watched.due[k] = path_of(pairs[k]) + pairs[k].distance - dhat_; });
 }
 
 template <class Pair>
-void SurfaceContact::measure_due(std::span<const Vec3> x, Watch<Pair>& watched) const
+void SurfaceContact::measure_due(std::span<const Vec3> x, std::span<const Pair> pairs, Watch<Pair>& watched) const
 {
     const double rounding = 1e-9 * dhat_; // more than additions round off
-    watched.near = parallel_reduce(
-        std::ssize(watched.pairs), std::vector<Pair>{},
-        [&](std::int64_t begin, std::int64_t end)
-        {
-            std::vector<Pair> found;
-            for (std::int64_t k = begin; k < end; ++k)
-            {
-                const double path = path_of(watched.pairs[k]);
-                if (watched.due[k] < path + rounding)
-                {
-                    const double distance = measure(watched.pairs[k], x).distance;
-                    watched.due[k] = path + distance - dhat_;
-                    if (distance < dhat_)
-                    {
-                        found.push_back(watched.pairs[k]);
-                        found.back().distance = distance;
-                    }
-                }
-            }
-            return found;
-        },
-        [](std::vector<Pair>& all, const std::vector<Pair>& part) { all.insert(all.end(), part.begin(), part.end()); });
+    parallel_list(std::ssize(pairs), watched.near,
+                  [&](std::int64_t begin, std::int64_t end, std::vector<Pair>& near)
+                  {
+                      std::array<std::int64_t, parallel_block> places;
+                      std::size_t count = 0;
+                      for (std::int64_t k = begin; k < end; ++k)
+                      {
+                          places[count] = k;
+                          count += watched.due[k] < path_of(pairs[k]) + rounding ? 1 : 0;
+                      }
+                      near.resize(count);
+                      for (std::size_t m = 0; m < count; ++m)
+                      {
+                          near[m] = pairs[places[m]];
+                      }
+                      parts_.measure(x, near);
+                      std::size_t kept = 0;
+                      for (std::size_t m = 0; m < count; ++m)
+                      {
+                          watched.due[places[m]] = path_of(near[m]) + near[m].distance - dhat_;
+                          near[kept] = near[m];
+                          kept += near[m].distance < dhat_ ? 1 : 0;
+                      }
+                      near.resize(kept);
+                  });
 }
 
 /// Notes how far the vertices have moved, and says whether one of them has left its reach.
@@ -147,16 +145,16 @@ bool SurfaceContact::follow(std::span<const Vec3> x)
             return outside;
         },
         [](std::int64_t& total, std::int64_t part) { total += part; });
-    parallel_for(std::ssize(triangles_),
+    parallel_for(std::ssize(parts_.triangles()),
                  [&](std::int64_t k)
                  {
-                     const Triangle& corner = triangles_[static_cast<std::size_t>(k)];
+                     const Triangle& corner = parts_.triangles()[static_cast<std::size_t>(k)];
                      triangle_path_[k] += std::max({step_[corner[0]], step_[corner[1]], step_[corner[2]]});
                  });
-    parallel_for(std::ssize(edges_),
+    parallel_for(std::ssize(parts_.edges()),
                  [&](std::int64_t k)
                  {
-                     const Edge& end = edges_[static_cast<std::size_t>(k)];
+                     const Edge& end = parts_.edges()[static_cast<std::size_t>(k)];
                      edge_path_[k] += std::max(step_[end[0]], step_[end[1]]);
                  });
     return left > 0;
@@ -169,13 +167,12 @@ void SurfaceContact::refresh_candidates(std::span<const Vec3> x, std::span<const
     {
         return;
     }
-    for (std::size_t k = 0; k < x.size(); ++k)
-    {
-        reach_[k] = std::min(largest_reach * spacing_, least_reach * spacing_ + steps_of_reach * dt * norm(v[k]));
-    }
-    Candidates found = find_candidates(x, triangles_, edges_, dhat_, reach_);
-    watch(std::move(found.vertex_triangle), vertices_);
-    watch(std::move(found.edge_edge), edge_pairs_);
+    parallel_for(
+        std::ssize(x), [&](std::int64_t k)
+        { reach_[k] = std::min(largest_reach * spacing_, least_reach * spacing_ + steps_of_reach * dt * norm(v[k])); });
+    parts_.find_candidates(x, dhat_, reach_, candidates_);
+    watch<VertexTriangle>(candidates_.vertex_triangle, vertices_);
+    watch<EdgeEdge>(candidates_.edge_edge, edge_pairs_);
     listed_at_.assign(x.begin(), x.end());
     last_x_ = listed_at_;
 }
@@ -214,27 +211,43 @@ void SurfaceContact::apply(const std::array<std::int32_t, 4>& vertex, const Push
     ++response.active;
 }
 
+namespace
+{
+
+/// Notes that near pair `index` is the closest of one of its parts so far.
+template <class Pair>
+void note_closest(std::span<const Pair> near, std::int32_t index, std::int32_t& closest)
+{
+    if (closest < 0 ||
+        near[static_cast<std::size_t>(index)].distance < near[static_cast<std::size_t>(closest)].distance)
+    {
+        closest = index;
+    }
+}
+
+} // namespace
+
 /// Of the triangles near a vertex the closest pushes.
 void SurfaceContact::choose_vertices()
 {
     const std::vector<VertexTriangle>& near = vertices_.near;
-    vertices_.pushing.clear();
-    for (std::size_t first = 0; first < near.size();)
+    for (std::int32_t m = 0; m < std::ssize(near); ++m)
     {
-        const std::int32_t vertex = near[first].vertex;
-        std::size_t closest = first;
-        std::size_t m = first;
-        for (; m < near.size() && near[m].vertex == vertex; ++m)
+        limit_travel(vertices_of(near[m]), near[m].distance);
+        note_closest<VertexTriangle>(near, m, closest_triangle_[near[m].vertex]);
+    }
+    vertices_.pushing.clear();
+    for (std::int32_t m = 0; m < std::ssize(near); ++m)
+    {
+        const double gap = vertex_gap_[near[m].vertex];
+        if (closest_triangle_[near[m].vertex] == m && near[m].distance < gap)
         {
-            closest = near[m].distance < near[closest].distance ? m : closest;
-            limit_travel(vertices_of(near[m]), near[m].distance);
+            vertices_.pushing.push_back({near[m], gap, {}});
         }
-        const double gap = vertex_gap_[static_cast<std::size_t>(vertex)];
-        if (near[closest].distance < gap)
-        {
-            vertices_.pushing.push_back({near[closest], gap, {}});
-        }
-        first = m;
+    }
+    for (const VertexTriangle& one : near)
+    {
+        closest_triangle_[one.vertex] = -1;
     }
 }
 
@@ -242,36 +255,26 @@ void SurfaceContact::choose_vertices()
 void SurfaceContact::choose_edges()
 {
     const std::vector<EdgeEdge>& near = edge_pairs_.near;
-    const auto consider = [&](std::int32_t edge, std::size_t m)
-    {
-        std::int32_t& closest = closest_pair_[static_cast<std::size_t>(edge)];
-        if (closest < 0 || near[m].distance < near[static_cast<std::size_t>(closest)].distance)
-        {
-            closest = static_cast<std::int32_t>(m);
-        }
-    };
-    for (std::size_t m = 0; m < near.size(); ++m)
+    for (std::int32_t m = 0; m < std::ssize(near); ++m)
     {
         limit_travel(vertices_of(near[m]), near[m].distance);
-        consider(near[m].first, m);
-        consider(near[m].second, m);
+        note_closest<EdgeEdge>(near, m, closest_edge_[near[m].first]);
+        note_closest<EdgeEdge>(near, m, closest_edge_[near[m].second]);
     }
     edge_pairs_.pushing.clear();
-    for (std::size_t m = 0; m < near.size(); ++m)
+    for (std::int32_t m = 0; m < std::ssize(near); ++m)
     {
-        const auto index = static_cast<std::int32_t>(m);
-        const auto first = static_cast<std::size_t>(near[m].first);
-        const auto second = static_cast<std::size_t>(near[m].second);
+        const auto& [first, second, distance] = near[m];
         const double gap = std::min(edge_gap_[first], edge_gap_[second]);
-        if (closest_pair_[first] == index && closest_pair_[second] == index && near[m].distance < gap)
+        if (closest_edge_[first] == m && closest_edge_[second] == m && distance < gap)
         {
             edge_pairs_.pushing.push_back({near[m], gap, {}});
         }
     }
     for (const EdgeEdge& one : near)
     {
-        closest_pair_[static_cast<std::size_t>(one.first)] = -1;
-        closest_pair_[static_cast<std::size_t>(one.second)] = -1;
+        closest_edge_[one.first] = -1;
+        closest_edge_[one.second] = -1;
     }
 }
 
@@ -280,8 +283,17 @@ template <class Pair>
 void SurfaceContact::push(std::span<const Vec3> x, std::span<const Vec3> v, double dt, Watch<Pair>& watched,
                           std::span<Vec3> forces, ContactResponse& response) const
 {
-    parallel_for(std::ssize(watched.pushing),
-                 [&](std::int64_t m) { watched.pushing[m].push = measure(watched.pushing[m].pair, x); });
+    constexpr std::int64_t pairs_at_a_time = 64;
+    parallel_blocks(
+        std::ssize(watched.pushing),
+        [&](std::int64_t begin, std::int64_t end)
+        {
+            for (std::int64_t m = begin; m < end; ++m)
+            {
+                watched.pushing[m].push = measure(watched.pushing[m].pair, x);
+            }
+        },
+        pairs_at_a_time);
     for (const auto& [pair, gap, push] : watched.pushing)
     {
         const auto& w = push.weight;
@@ -297,8 +309,8 @@ ContactResponse SurfaceContact::evaluate(std::span<const Vec3> x, std::span<cons
 {
     refresh_candidates(x, v, dt);
     std::fill(travel_limit_.begin(), travel_limit_.end(), travel_share * dhat_);
-    measure_due(x, vertices_);
-    measure_due(x, edge_pairs_);
+    measure_due<VertexTriangle>(x, candidates_.vertex_triangle, vertices_);
+    measure_due<EdgeEdge>(x, candidates_.edge_edge, edge_pairs_);
     ContactResponse response;
     choose_vertices();
     choose_edges();

@@ -29,7 +29,7 @@ class SurfaceContact
     /// @param rest     reference positions of the surface vertices [mm]
     /// @param masses   of the vertices
     /// @param spacing  particle spacing [mm]
-    SurfaceContact(std::vector<Triangle> triangles, std::span<const Vec3> rest, std::vector<double> masses,
+    SurfaceContact(std::span<const Triangle> triangles, std::span<const Vec3> rest, std::vector<double> masses,
                    double spacing, const ContactOptions& options);
 
     /// Adds the contact forces at positions x with velocities v to `forces` (all per surface vertex) and sets the
@@ -58,13 +58,12 @@ class SurfaceContact
         double gap; ///< [mm]
         Push push;
     };
-    /// Candidates, and those of them that are near: closer than dhat now. The path of a pair is the length of way its
-    /// two parts have moved: a pair measured once need not be measured again before that has grown by what it was too
-    /// far.
+    /// What is known of candidates, and those of them that are near: closer than dhat now. The path of a pair is the
+    /// length of way its two parts have moved: a pair measured once need not be measured again before that has grown by
+    /// what it was too far.
     template <class Pair>
     struct Watch
     {
-        std::vector<Pair> pairs;
         std::vector<double> due;            ///< path at which it may be near [mm]
         std::vector<Pair> near;             ///< in the order of the pairs, with their distance now
         std::vector<Pushing<Pair>> pushing; ///< those of them that may push
@@ -74,9 +73,9 @@ class SurfaceContact
     Push measure(const VertexTriangle& pair, std::span<const Vec3> x) const;
     Push measure(const EdgeEdge& pair, std::span<const Vec3> x) const;
     template <class Pair>
-    void watch(std::vector<Pair> pairs, Watch<Pair>& watched) const;
+    void watch(std::span<const Pair> pairs, Watch<Pair>& watched) const;
     template <class Pair>
-    void measure_due(std::span<const Vec3> x, Watch<Pair>& watched) const;
+    void measure_due(std::span<const Vec3> x, std::span<const Pair> pairs, Watch<Pair>& watched) const;
     void apply(const std::array<std::int32_t, 4>& vertex, const Push& push, double gap, std::span<const Vec3> v,
                double dt, std::span<Vec3> forces, ContactResponse& response) const;
     void limit_travel(const std::array<std::int32_t, 4>& vertex, double distance);
@@ -90,8 +89,7 @@ class SurfaceContact
     void push(std::span<const Vec3> x, std::span<const Vec3> v, double dt, Watch<Pair>& watched, std::span<Vec3> forces,
               ContactResponse& response) const;
 
-    std::vector<Triangle> triangles_;
-    std::vector<Edge> edges_;
+    SurfaceParts parts_;
     std::vector<double> masses_;
     double dhat_;
     double spacing_;
@@ -100,16 +98,18 @@ class SurfaceContact
     std::vector<double> edge_gap_;   ///< [mm]
 
     // Scratch: nothing below changes what the next evaluation gives.
+    Candidates candidates_;
     Watch<VertexTriangle> vertices_;
     Watch<EdgeEdge> edge_pairs_;
     std::vector<Vec3> listed_at_; ///< positions the candidates were found at
     std::vector<double> reach_;   ///< how far each vertex may be from there before they are found anew [mm]
     std::vector<Vec3> last_x_;
-    std::vector<double> step_;               ///< how far each vertex has moved since the last evaluation [mm]
-    std::vector<double> vertex_path_;        ///< sums of these [mm]
-    std::vector<double> triangle_path_;      ///< sums of the largest of the three corners [mm]
-    std::vector<double> edge_path_;          ///< of both ends [mm]
-    std::vector<std::int32_t> closest_pair_; ///< per edge: its closest near pair, or -1
+    std::vector<double> step_;                   ///< how far each vertex has moved since the last evaluation [mm]
+    std::vector<double> vertex_path_;            ///< sums of these [mm]
+    std::vector<double> triangle_path_;          ///< sums of the largest of the three corners [mm]
+    std::vector<double> edge_path_;              ///< of both ends [mm]
+    std::vector<std::int32_t> closest_triangle_; ///< per vertex: its closest near pair, or -1
+    std::vector<std::int32_t> closest_edge_;     ///< per edge: likewise
     std::vector<double> travel_limit_;
 };
 

@@ -2,6 +2,7 @@
 #include "corticle/simulation/simulation.hpp"
 
 #include "corticle/base/error.hpp"
+#include "corticle/base/parallel.hpp"
 #include "corticle/base/stopwatch.hpp"
 #include "corticle/metrics/surface_measures.hpp"
 #include "corticle/simulation/discretization.hpp"
@@ -101,17 +102,24 @@ void Simulation::add_contact(Motion& motion)
 {
     const Stopwatch watch(seconds_.contact);
     const auto& surface = body_.cloud.surface_particles;
-    gather(motion.x, surface, surface_x_);
-    gather(motion.v, surface, surface_v_);
-    surface_force_.assign(surface.size(), Vec3{});
+    surface_x_.resize(surface.size());
+    surface_v_.resize(surface.size());
+    surface_force_.resize(surface.size());
+    parallel_for(std::ssize(surface),
+                 [&](std::int64_t k)
+                 {
+                     surface_x_[k] = motion.x[surface[k]];
+                     surface_v_[k] = motion.v[surface[k]];
+                     surface_force_[k] = {};
+                 });
     contact_response_ = contact_.evaluate(surface_x_, surface_v_, critical_dt_, surface_force_);
     const std::span<const double> limit = contact_.travel_limit();
-    for (std::size_t k = 0; k < surface.size(); ++k)
-    {
-        const auto i = static_cast<std::size_t>(surface[k]);
-        motion.force[i] += surface_force_[k];
-        travel_limit_[i] = limit[k];
-    }
+    parallel_for(std::ssize(surface),
+                 [&](std::int64_t k)
+                 {
+                     motion.force[surface[k]] += surface_force_[k];
+                     travel_limit_[surface[k]] = limit[k];
+                 });
 }
 
 /// Forces, energies and limits at a motion's positions; false when the positions are invalid.
