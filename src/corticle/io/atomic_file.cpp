@@ -75,17 +75,6 @@ void flush_to_disk(const std::filesystem::path& file, const std::filesystem::pat
     }
 }
 
-/// Makes the rename itself durable. Some file systems refuse to flush a folder: nothing is lost but durability.
-void flush_folder(const std::filesystem::path& file)
-{
-    const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-    Descriptor descriptor(folder, O_RDONLY | O_DIRECTORY);
-    if (descriptor.get() >= 0)
-    {
-        ::fsync(descriptor.get());
-    }
-}
-
 void write_all(const std::filesystem::path& file, const std::filesystem::path& temporary, std::string_view text)
 {
     Descriptor descriptor(temporary, O_WRONLY | O_CREAT | O_TRUNC);
@@ -136,7 +125,16 @@ void write_atomically(const std::filesystem::path& file, const std::function<voi
         ::unlink(temporary.c_str());
         fail(file, error.what());
     }
-    flush_folder(file);
+}
+
+void flush_names_beside(const std::filesystem::path& file)
+{
+    const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+    Descriptor descriptor(folder, O_RDONLY | O_DIRECTORY);
+    if (descriptor.get() >= 0)
+    {
+        ::fsync(descriptor.get());
+    }
 }
 
 void write_text_atomically(const std::filesystem::path& file, std::string_view text)

@@ -2,6 +2,7 @@
 #include "corticle/io/picture_window.hpp"
 
 #include "corticle/base/error.hpp"
+#include "corticle/base/parallel.hpp"
 #include "corticle/io/atomic_file.hpp"
 #include "corticle/io/color_map.hpp"
 
@@ -69,12 +70,19 @@ std::string tick_text(const ColorScale& scale, double value)
 
 } // namespace
 
-void set_up_window(vtkRenderWindow* window, int width, int height)
+vtkRenderWindow* picture_window(int width, int height)
 {
-    window->SetShowWindow(false);
-    window->SetOffScreenRendering(1);
+    // Never deleted: at the end of the program the display may have gone before it.
+    static vtkRenderWindow* const window = []
+    {
+        vtkRenderWindow* const made = vtkRenderWindow::New();
+        made->SetShowWindow(false);
+        made->SetOffScreenRendering(1);
+        made->SetMultiSamples(0); // lines and text are smooth without, the edges of surfaces are smoothed afterwards
+        return made;
+    }();
     window->SetSize(width, height);
-    window->SetMultiSamples(0); // lines and text are smooth without, and surfaces are drawn finer
+    return window;
 }
 
 void add_text(vtkRenderer* renderer, const std::string& text, double x, double y, const TextStyle& style)
@@ -131,39 +139,23 @@ void add_color_bar(vtkRenderer* renderer, const ColorScale& scale, double x, dou
     add_text(renderer, scale.label, x + bar_width + 78, y + 0.5 * height, {.size = 22, .angle = 90});
 }
 
-vtkSmartPointer<vtkImageData> grab_picture(vtkRenderWindow* window, int samples)
+vtkSmartPointer<vtkImageData> grab_picture(vtkRenderWindow* window)
 {
     vtkNew<vtkWindowToImageFilter> grab;
     grab->SetInput(window);
     grab->SetInputBufferTypeToRGB();
     grab->ReadFrontBufferOff();
     grab->Update();
-    vtkImageData* fine = grab->GetOutput();
-    const int width = fine->GetDimensions()[0] / samples;
-    const int height = fine->GetDimensions()[1] / samples;
-    vtkNew<vtkImageData> image;
-    image->SetDimensions(width, height, 1);
-    image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-    const auto* const from = static_cast<const unsigned char*>(fine->GetScalarPointer());
-    auto* to = static_cast<unsigned char*>(image->GetScalarPointer());
-    const std::ptrdiff_t row = 3 * static_cast<std::ptrdiff_t>(fine->GetDimensions()[0]);
-    for (int y = 0; y < height; ++y)
-    {
-        for (int x = 0; x < width; ++x)
-        {
-            const auto* const corner = from + samples * (y * row + 3 * x);
-            for (int i = 0; i < 3; ++i)
-            {
-                int sum = samples * samples / 2;
-                for (int k = 0; k < samples * samples; ++k)
-                {
-                    sum += corner[k / samples * row + 3 * (k % samples) + i];
-                }
-                *to++ = static_cast<unsigned char>(sum / (samples * samples));
-            }
-        }
-    }
-    return image;
+    return grab->GetOutput();
+}
+
+vtkSmartPointer<vtkImageData> draw_renderer(vtkRenderer* page, int width, int height)
+{
+    vtkRenderWindow* const window = picture_window(width, height);
+    window->AddRenderer(page);
+    const vtkSmartPointer<vtkImageData> drawn = grab_picture(window);
+    window->RemoveRenderer(page);
+    return drawn;
 }
 
 void multiply(vtkImageData* image, vtkImageData* other, double factor)
@@ -177,25 +169,29 @@ void multiply(vtkImageData* image, vtkImageData* other, double factor)
     }
 }
 
-void save_picture(vtkRenderWindow* window, const std::filesystem::path& png)
+void write_pngs(std::span<const PngPicture> pictures)
 {
-    vtkNew<vtkWindowToImageFilter> grab;
-    grab->SetInput(window);
-    grab->SetInputBufferTypeToRGB();
-    grab->ReadFrontBufferOff();
-    vtkNew<vtkPNGWriter> writer;
-    writer->SetCompressionLevel(3);
-    writer->SetInputConnection(grab->GetOutputPort());
-    writer->WriteToMemoryOn();
-    writer->Write();
-    const vtkUnsignedCharArray* const result = writer->GetResult();
-    const vtkIdType size = result == nullptr ? 0 : result->GetNumberOfValues();
-    if (size == 0 || writer->GetErrorCode() != 0)
+    std::vector<vtkSmartPointer<vtkPNGWriter>> writers;
+    for (const PngPicture& picture : pictures)
     {
-        throw RunError(fmt::format("cannot draw {}: rendering failed", png.string()));
+        writers.push_back(vtkSmartPointer<vtkPNGWriter>::New());
+        writers.back()->SetCompressionLevel(2);
+        writers.back()->SetInputData(picture.image);
+        writers.back()->WriteToMemoryOn();
     }
-    auto* bytes = reinterpret_cast<const char*>(writer->GetResult()->GetPointer(0));
-    write_text_atomically(png, std::string_view(bytes, static_cast<std::size_t>(size)));
+    parallel_blocks(
+        std::ssize(writers), [&](std::int64_t k, std::int64_t /*end*/) { writers[k]->Write(); }, 1);
+    for (std::size_t k = 0; k < pictures.size(); ++k)
+    {
+        vtkUnsignedCharArray* const result = writers[k]->GetResult();
+        const vtkIdType size = result == nullptr ? 0 : result->GetNumberOfValues();
+        if (size == 0 || writers[k]->GetErrorCode() != 0)
+        {
+            throw RunError(fmt::format("cannot draw {}: rendering failed", pictures[k].png.string()));
+        }
+        const auto* bytes = reinterpret_cast<const char*>(result->GetPointer(0));
+        write_text_atomically(pictures[k].png, std::string_view(bytes, static_cast<std::size_t>(size)));
+    }
 }
 
 } // namespace corticle

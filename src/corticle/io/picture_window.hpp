@@ -4,21 +4,23 @@
 #include "corticle/io/pictures.hpp"
 #include "corticle/io/quiet_vtk.hpp"
 
+#include <vtkImageData.h>
+#include <vtkSmartPointer.h>
+
 #include <filesystem>
+#include <span>
 #include <string>
 
-class vtkImageData;
 class vtkLookupTable;
-template <class T>
-class vtkSmartPointer;
 class vtkRenderer;
 class vtkRenderWindow;
 
 namespace corticle
 {
 
-/// A window in memory of `width` x `height` pixels.
-void set_up_window(vtkRenderWindow* window, int width, int height);
+/// The window in memory that all pictures are drawn in, now of `width` x `height` pixels: to make one takes as long as
+/// to draw a picture. Who adds a renderer to it removes it again.
+vtkRenderWindow* picture_window(int width, int height);
 
 struct TextStyle
 {
@@ -39,14 +41,22 @@ void fill_lookup_table(vtkLookupTable* table, const ColorScale& scale);
 /// A vertical colour bar with ticks whose lower left corner is at (x, y) [px], `height` tall; its label stands above.
 void add_color_bar(vtkRenderer* renderer, const ColorScale& scale, double x, double y, double height);
 
-/// Renders, and returns the picture with `samples` x `samples` pixels averaged into one.
-vtkSmartPointer<vtkImageData> grab_picture(vtkRenderWindow* window, int samples);
+/// Renders, and returns the picture.
+vtkSmartPointer<vtkImageData> grab_picture(vtkRenderWindow* window);
 
 /// Multiplies the colours, as numbers from 0 to 1, with those of an image of the same size and with a factor; what
 /// gets brighter than 1 is 1.
 void multiply(vtkImageData* image, vtkImageData* other, double factor);
 
-/// Renders and writes a PNG, whole or not at all. @throws RunError
-void save_picture(vtkRenderWindow* window, const std::filesystem::path& png);
+/// What one renderer shows in a window of `width` x `height` pixels.
+vtkSmartPointer<vtkImageData> draw_renderer(vtkRenderer* page, int width, int height);
+
+struct PngPicture
+{
+    std::filesystem::path png;
+    vtkSmartPointer<vtkImageData> image;
+};
+/// Writes PNGs, each whole or not at all; they are compressed concurrently. @throws RunError
+void write_pngs(std::span<const PngPicture> pictures);
 
 } // namespace corticle

@@ -9,10 +9,10 @@
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -176,14 +176,11 @@ void add_panel(vtkRenderer* page, const Section& section, std::span<const double
 template <class Fill>
 void save_page(const std::filesystem::path& png, const std::string& title, Fill&& fill)
 {
-    vtkNew<vtkRenderWindow> window;
-    set_up_window(window, picture_width, picture_height);
     vtkNew<vtkRenderer> page;
     page->SetBackground(1, 1, 1);
-    window->AddRenderer(page);
     fill(page);
     add_text(page, title, 0.5 * picture_width, picture_height - 30, {.size = 26, .is_bold = true});
-    save_picture(window, png);
+    write_pngs(std::array{PngPicture{png, draw_renderer(page, picture_width, picture_height)}});
 }
 
 } // namespace

@@ -205,8 +205,7 @@ void render_plot(const std::filesystem::path& png, std::span<const Panel> panels
     const int width = across * panel_width;
     const int height = rows * panel_height + title_height;
 
-    vtkNew<vtkRenderWindow> window;
-    set_up_window(window, width, height);
+    vtkRenderWindow* const window = picture_window(width, height);
     vtkNew<vtkRenderer> renderer;
     renderer->SetBackground(1, 1, 1);
     window->AddRenderer(renderer);
@@ -228,7 +227,9 @@ void render_plot(const std::filesystem::path& png, std::span<const Panel> panels
     add_text(renderer, title, 0.5 * width, height - 0.5 * title_height, {.size = 26, .is_bold = true});
     window->Render(); // the first pass finds the room that labels need
     scene->SetDirty(true);
-    save_picture(window, png);
+    const vtkSmartPointer<vtkImageData> drawn = grab_picture(window);
+    window->RemoveRenderer(renderer);
+    write_pngs(std::array{PngPicture{png, drawn}});
 }
 
 } // namespace corticle

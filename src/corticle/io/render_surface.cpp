@@ -12,6 +12,7 @@
 #include <vtkLight.h>
 #include <vtkLookupTable.h>
 #include <vtkNew.h>
+#include <vtkOpenGLFXAAPass.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -40,7 +41,6 @@ constexpr int panel_size = 700;
 constexpr int panel_bottom = 40;
 constexpr int title_height = 50;
 constexpr int bar_left = 1450;
-constexpr int samples = 2;   // each pixel is the mean of 2 x 2
 constexpr double grey = 0.5; // what is lit, so that light can make colours brighter than they are
 
 constexpr int tile_picture = 380; // of a grid
@@ -128,7 +128,8 @@ void add_lights(vtkRenderer* renderer)
     add({0.7, -0.4, 1.0}, 0.45);
 }
 
-/// Darkens what lies in sulci (ambient occlusion in screen space); `radius` [mm] is how far away a wall still shades.
+/// Darkens what lies in sulci (ambient occlusion in screen space) and softens edges; `radius` [mm] is how far away a
+/// wall still shades.
 void add_occlusion(vtkRenderer* renderer, double radius)
 {
     vtkNew<vtkRenderStepsPass> steps;
@@ -138,7 +139,9 @@ void add_occlusion(vtkRenderer* renderer, double radius)
     occlusion->SetKernelSize(16);
     occlusion->BlurOn();
     occlusion->SetDelegatePass(steps);
-    renderer->SetPass(occlusion);
+    vtkNew<vtkOpenGLFXAAPass> smooth;
+    smooth->SetDelegatePass(occlusion);
+    renderer->SetPass(smooth);
 }
 
 void look(vtkRenderer* renderer, const View& view, const Vec3& center, double half_width)
@@ -189,14 +192,13 @@ vtkNew<vtkDoubleArray> array_of(std::span<const double> scalar, std::size_t coun
 using Pictures = std::vector<vtkSmartPointer<vtkImageData>>;
 
 /// What each view shows of each colouring, `size` pixels square: of the first colouring all views, then of the next.
-/// Light and shade are drawn once for each view and laid over its colours. One view after the other in one window: the
-/// shading of sulci fills a window, not a part of one.
+/// Light and shade are drawn once for each view and laid over its colours. One view after the other: the shading of
+/// sulci fills a window, not a part of one.
 Pictures draw_views(std::span<const Vec3> points, std::span<const Triangle> triangles,
                     std::span<const Coloring> colorings, const Vec3& center, double half_width,
                     std::span<const View> shown, int size)
 {
-    vtkNew<vtkRenderWindow> window;
-    set_up_window(window, samples * size, samples * size);
+    vtkRenderWindow* const window = picture_window(size, size);
     vtkNew<vtkRenderer> renderer;
     const vtkNew<vtkPolyData> surface = polydata_of(points, triangles);
     const vtkNew<vtkActor> body = body_of(surface);
@@ -213,7 +215,7 @@ Pictures draw_views(std::span<const Vec3> points, std::span<const Triangle> tria
     for (const View& view : shown)
     {
         look(renderer, view, center, half_width);
-        shades.push_back(grab_picture(window, samples));
+        shades.push_back(grab_picture(window));
     }
 
     body->GetProperty()->LightingOff();
@@ -223,6 +225,7 @@ Pictures draw_views(std::span<const Vec3> points, std::span<const Triangle> tria
     renderer->SetBackground(1, 1, 1);
     renderer->GetPass()->ReleaseGraphicsResources(window);
     renderer->SetPass(nullptr);
+    renderer->UseFXAAOn();
     Pictures pictures;
     for (const Coloring& coloring : colorings)
     {
@@ -233,10 +236,11 @@ Pictures draw_views(std::span<const Vec3> points, std::span<const Triangle> tria
         for (std::size_t i = 0; i < shown.size(); ++i)
         {
             look(renderer, shown[i], center, half_width);
-            pictures.push_back(grab_picture(window, samples));
+            pictures.push_back(grab_picture(window));
             multiply(pictures.back(), shades[i], 1.0 / grey);
         }
     }
+    window->RemoveRenderer(renderer);
     return pictures;
 }
 
@@ -283,15 +287,13 @@ struct PagePanel
     std::string caption;
 };
 
-/// Panels in two columns, a colour bar on their right, a title above.
-void save_page(vtkRenderWindow* window, const std::filesystem::path& png, std::span<const PagePanel> panels,
-               const ColorScale& scale, const std::string& title)
+/// Panels in `rows` rows of two columns, a colour bar on their right, a title above.
+vtkSmartPointer<vtkImageData> draw_page(std::span<const PagePanel> panels, std::size_t rows, const ColorScale& scale,
+                                        const std::string& title)
 {
-    const int height = window->GetSize()[1];
-    const int rows = (height - title_height) / row_height;
+    const int height = static_cast<int>(rows) * row_height + title_height;
     vtkNew<vtkRenderer> page;
     page->SetBackground(1, 1, 1);
-    window->AddRenderer(page);
     for (const PagePanel& panel : panels)
     {
         const int left = panel_left[panel.column];
@@ -300,10 +302,9 @@ void save_page(vtkRenderWindow* window, const std::filesystem::path& png, std::s
         add_text(page, panel.caption, left + 0.5 * panel_size, below + 20, {.size = 20});
     }
     add_text(page, title, 0.5 * picture_width, height - 30, {.size = 26, .is_bold = true});
-    const double bar_bottom = 0.5 * (rows - 1) * row_height + panel_bottom + 100;
+    const double bar_bottom = 0.5 * (static_cast<double>(rows) - 1.0) * row_height + panel_bottom + 100;
     add_color_bar(page, scale, bar_left, bar_bottom, panel_size - 200);
-    save_picture(window, png);
-    window->RemoveRenderer(page);
+    return draw_renderer(page, picture_width, height);
 }
 
 } // namespace
@@ -322,8 +323,7 @@ void render_surface(std::span<const Vec3> points, std::span<const Triangle> tria
     }
     const Pictures pictures = draw_views(points, triangles, colorings, bounding_box(points).center(),
                                          half_width > 0.0 ? half_width : fitting_half_width(points), views, panel_size);
-    vtkNew<vtkRenderWindow> window; // one for all pages: to make one takes as long as to draw a page
-    set_up_window(window, picture_width, row_height + title_height);
+    std::vector<PngPicture> pages;
     for (std::size_t k = 0; k < colored.size(); ++k)
     {
         std::vector<PagePanel> panels;
@@ -331,8 +331,9 @@ void render_surface(std::span<const Vec3> points, std::span<const Triangle> tria
         {
             panels.push_back({pictures[k * views.size() + i], 0, i, views[i].caption});
         }
-        save_page(window, colored[k].png, panels, colored[k].scale, title);
+        pages.push_back({colored[k].png, draw_page(panels, 1, colored[k].scale, title)});
     }
+    write_pngs(pages);
 }
 
 void render_surface_pair(const std::filesystem::path& png, const std::array<SurfaceInput, 2>& surfaces,
@@ -353,9 +354,7 @@ void render_surface_pair(const std::filesystem::path& png, const std::array<Surf
             panels.push_back({pictures[i], views.size() - 1 - i, column, surface.caption + ", " + views[i].caption});
         }
     }
-    vtkNew<vtkRenderWindow> window;
-    set_up_window(window, picture_width, static_cast<int>(views.size()) * row_height + title_height);
-    save_page(window, png, panels, scale, title);
+    write_pngs(std::array{PngPicture{png, draw_page(panels, views.size(), scale, title)}});
 }
 
 void render_surface_grid(const std::filesystem::path& png, std::size_t count, std::size_t columns,
@@ -367,11 +366,8 @@ void render_surface_grid(const std::filesystem::path& png, std::size_t count, st
     const auto rows = static_cast<int>((count + columns - 1) / columns);
     const int width = static_cast<int>(columns) * tile_width + bar_room;
     const int height = rows * tile_height + title_height;
-    vtkNew<vtkRenderWindow> window;
-    set_up_window(window, width, height);
     vtkNew<vtkRenderer> page;
     page->SetBackground(1, 1, 1);
-    window->AddRenderer(page);
     for (std::size_t i = 0; i < count; ++i)
     {
         const SurfaceTile one = tile(i);
@@ -392,7 +388,7 @@ void render_surface_grid(const std::filesystem::path& png, std::size_t count, st
     add_text(page, title, 0.5 * width, height - 0.5 * title_height, {.size = 24, .is_bold = true});
     add_color_bar(page, scale, width - bar_room + 10, 0.5 * (height - title_height) - 0.5 * tile_picture + 20,
                   tile_picture - 40);
-    save_picture(window, png);
+    write_pngs(std::array{PngPicture{png, draw_renderer(page, width, height)}});
 }
 
 } // namespace corticle
