@@ -51,7 +51,7 @@ Pairs found_by(const BoxTiles& first, const BoxTiles& second)
         first.find_overlaps(tile, second, found);
         for (const BoxPair& pair : found)
         {
-            pairs.push_back({pair.first, pair.second});
+            pairs.emplace_back(pair.first, pair.second);
         }
     }
     std::ranges::sort(pairs);

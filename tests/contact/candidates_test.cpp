@@ -54,7 +54,7 @@ TEST(Candidates, EqualThoseOfABruteForceSearchOnACrumpledSurface)
                 const Vec3 between = at(v) - w[0] * at(t[0]) - w[1] * at(t[1]) - w[2] * at(t[2]);
                 if (!share(std::array{v}, t) && norm(between) < range + reach_of(std::array{v}) + reach_of(t))
                 {
-                    vertex_triangle.push_back({v, k});
+                    vertex_triangle.emplace_back(v, k);
                 }
             }
         }
@@ -68,7 +68,7 @@ TEST(Candidates, EqualThoseOfABruteForceSearchOnACrumpledSurface)
                 const Vec3 between = (1.0 - s) * at(e[0]) + s * at(e[1]) - (1.0 - t) * at(o[0]) - t * at(o[1]);
                 if (!share(e, o) && norm(between) < range + reach_of(e) + reach_of(o))
                 {
-                    edge_edge.push_back({a, b});
+                    edge_edge.emplace_back(a, b);
                 }
             }
         }
@@ -78,14 +78,14 @@ TEST(Candidates, EqualThoseOfABruteForceSearchOnACrumpledSurface)
         std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
         for (const VertexTriangle& pair : found.vertex_triangle)
         {
-            pairs.push_back({pair.vertex, pair.triangle});
+            pairs.emplace_back(pair.vertex, pair.triangle);
         }
         std::ranges::sort(pairs);
         EXPECT_EQ(pairs, vertex_triangle);
         pairs.clear();
         for (const EdgeEdge& pair : found.edge_edge)
         {
-            pairs.push_back({pair.first, pair.second});
+            pairs.emplace_back(pair.first, pair.second);
         }
         std::ranges::sort(pairs);
         EXPECT_EQ(pairs, edge_edge);

@@ -153,7 +153,7 @@ vtkSmartPointer<vtkImageData> draw_renderer(vtkRenderer* page, int width, int he
 {
     vtkRenderWindow* const window = picture_window(width, height);
     window->AddRenderer(page);
-    const vtkSmartPointer<vtkImageData> drawn = grab_picture(window);
+    vtkSmartPointer<vtkImageData> drawn = grab_picture(window);
     window->RemoveRenderer(page);
     return drawn;
 }
