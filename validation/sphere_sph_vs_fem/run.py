@@ -29,7 +29,9 @@ SIZES = {
     "small": {"sph": (20000, 45000), "fem": (50000, 100000)},
     "tiny": {"sph": (3000, 6000), "fem": (8000, 16000)},
 }
-EXTRA = {("a", "fem"): (1500000,), ("b", "fem"): (253000,)} # as many nodes as the most particles; the lineage's
+EXTRA = {("a", "fem"): (1500000,), ("b", "fem"): (253000, 1500000)}  # as many nodes as the most particles; the lineage's
+SLOW = {("a", "sph"): 250000, ("a", "fem"): 2600000}  # the finest, loaded four times more slowly until they have folded
+SLOW_LOADING = ["solver.loading_time=200", "solver.fastest_loading=10"]
 SMOOTH = ["tissue.layer=smooth", "tissue.lambda=0", "tissue.thickness_mm=1.674", "tissue.bulk=uniform",
           "tissue.bulk_modulus=5", "tissue.mu_cortex=1", "tissue.mu_white=1.167"]
 CASES = {"a": ("binary layer, K per tissue", []), "b": ("smooth layer, K uniform", SMOOTH)}
@@ -70,16 +72,24 @@ def make(arguments, folder, settings):
         process.wait()
 
 
-def sizes_of(arguments, case, method):
-    extra = EXTRA.get((case, method), ()) if arguments.sizes == "all" else ()
-    return sorted({*SIZES[arguments.sizes][method], *extra})
+def runs_of(arguments, case, method):
+    """(size, whether it is loaded slowly) of every run."""
+    every = arguments.sizes == "all"
+    extra = EXTRA.get((case, method), ()) if every else ()
+    sizes = sorted({*SIZES[arguments.sizes][method], *extra})
+    return [(size, False) for size in sizes] + ([(SLOW[case, method], True)] if every and (case, method) in SLOW else [])
 
 
-def describe(folder, case, method, size):
+def folder_of(arguments, case, method, size, slow):
+    return arguments.runs / f"{case}_{'slow_' if slow else ''}{method}_{size}"
+
+
+def describe(folder, case, method, size, slow):
     summary, rows = _runs.read_summary(folder), _runs.read_measures(folder)
     result = {key: summary[key] for key in ("version", "particles", "elements", "spacing_mm", "threads", "steps",
                                             "rejected_steps", "zero_mode_share", "wall_s", "onset_t")}
-    result |= {"case": case, "method": method, "size": size, "name": f"{NAMES[method]} {size:,}",
+    result |= {"case": case, "method": method, "size": size, "slow": slow,
+               "name": f"{NAMES[method]} {size:,}{' slowly' if slow else ''}",
                "ns_per_element_step": summary.get("ns_per_element_step"), "rows": rows,
                "most_overlap": max(row["overlap_area_share"] for row in rows),
                "most_inverted": max(row["inverted_elements"] for row in rows),
@@ -101,15 +111,16 @@ def at(result, t):
 def results_of(arguments):
     for case, (_, tissue) in CASES.items():
         for method in ("sph", "fem"):
-            for size in sizes_of(arguments, case, method):
-                folder = arguments.runs / f"{case}_{method}_{size}"
+            for size, slow in runs_of(arguments, case, method):
+                folder = folder_of(arguments, case, method, size, slow)
                 if not arguments.only_read and not _runs.is_complete(folder):
                     times = ", ".join(str(t) for t in output_times())
                     make(arguments, folder, [f"solver.method={'tlsph' if method == 'sph' else 'fem'}",
-                                             f"{KEYS[method]}={size}", *tissue, f"output.times=[{times}]",
+                                             f"{KEYS[method]}={size}", *tissue, *(SLOW_LOADING if slow else []),
+                                             f"output.times=[{times}]",
                                              "output.picture_times=[0.5, 1.0]"])
                 if _runs.is_complete(folder):
-                    yield describe(folder, case, method, size)
+                    yield describe(folder, case, method, size, slow)
                 else:
                     print(f"{folder}: no complete run, left out")
 
@@ -162,8 +173,10 @@ def table_6(results):
 
 
 def finest(results, case, method):
-    found = [r for r in results if (r["case"], r["method"]) == (case, method)]
-    return max(found, key=lambda r: r["size"], default=None)
+    """Of those loaded slowly, where there are such of both methods."""
+    runs = [r for r in results if r["case"] == case]
+    slow = {r["method"] for r in runs if r["slow"]} == set(NAMES)
+    return max((r for r in runs if r["method"] == method and r["slow"] == slow), key=lambda r: r["size"], default=None)
 
 
 COARSER = 1.2               # than the finest: a line needs two points apart
@@ -176,7 +189,8 @@ def limit_table(results, case):
         for heading, key in (("area ratio", "area_ratio"), ("volume ratio", "volume_ratio"), ("sphere index", "gi_sphere")):
             limits = {}
             for method in ("sph", "fem"):
-                runs = sorted((r for r in results if (r["case"], r["method"]) == (case, method)), key=lambda r: r["spacing_mm"])
+                runs = sorted((r for r in results if (r["case"], r["method"], r["slow"]) == (case, method, False)),
+                              key=lambda r: r["spacing_mm"])
                 runs = runs[:1] + [r for r in runs if r["spacing_mm"] > COARSER * runs[0]["spacing_mm"]][:1]
                 if len(runs) == 2:
                     (h1, v1), (h2, v2) = ((r["spacing_mm"], at(r, t)[key]) for r in runs)
@@ -188,7 +202,7 @@ def limit_table(results, case):
 
 
 def plots(results, case, path):
-    chosen = [r for r in results if r["case"] == case]
+    chosen = [r for r in results if r["case"] == case and not r["slow"]]
     panels = []
     for title, key in (("area ratio", "area_ratio"), ("volume ratio", "volume_ratio"), ("sphere index", "gi_sphere"),
                        ("hull index", "gi_hull")):
@@ -210,7 +224,7 @@ def pictures(arguments, results):
         if not sph or not fem:
             continue
         out = arguments.runs / f"compare_{case}"
-        folders = [arguments.runs / f"{case}_{r['method']}_{r['size']}" for r in (sph, fem)]
+        folders = [folder_of(arguments, case, r["method"], r["size"], r["slow"]) for r in (sph, fem)]
         shutil.rmtree(out, ignore_errors=True)
         done = subprocess.run([str(Path(arguments.command).resolve()), "compare", *map(str, folders), "--out", str(out),
                                "--time", "0.5", "--time", "1"], check=False, stdout=subprocess.DEVNULL).returncode == 0

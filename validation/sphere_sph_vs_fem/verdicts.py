@@ -23,7 +23,7 @@ def verdict(holds, text):
 
 
 def of_size(results, case, method, size):
-    return next((r for r in results if (r["case"], r["method"], r["size"]) == (case, method, size)), None)
+    return next((r for r in results if (r["case"], r["method"], r["size"], r["slow"]) == (case, method, size, False)), None)
 
 
 def against_lineage(results, at):
