@@ -17,8 +17,8 @@ CORTICLE_INLINE WideLanes joined(const Lanes& a, const Lanes& b)
     return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
 }
 
-/// Up to eight consecutive material points that laws treat at once, one per lane. Lanes past the last point repeat it
-/// and count for nothing.
+/// Up to eight consecutive points, or pairs of them, that are treated at once, one per lane. Lanes past the last one
+/// repeat it and count for nothing.
 struct WideGroup
 {
     std::int64_t first;

@@ -14,10 +14,10 @@ namespace
 
 constexpr float largest = std::numeric_limits<float>::max(); ///< below the corners of an empty place
 
-/// A float not above a number.
+/// A float not above a number; what lies beyond 1e38 counts as lying there.
 float rounded_down(double a)
 {
-    const auto near = static_cast<float>(a);
+    const auto near = static_cast<float>(std::clamp(a, -1e38, 1e38));
     return near - std::abs(near) * std::numeric_limits<float>::epsilon() - std::numeric_limits<float>::min();
 }
 

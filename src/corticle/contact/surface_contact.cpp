@@ -5,7 +5,6 @@
 #include "corticle/geometry/distance.hpp"
 
 #include <concepts>
-#include <limits>
 
 namespace corticle
 {
@@ -65,7 +64,7 @@ SurfaceContact::Push SurfaceContact::measure(const VertexTriangle& pair, std::sp
     const auto b = closest_on_triangle(at(x, vertex[0]), at(x, vertex[1]), at(x, vertex[2]), at(x, vertex[3]));
     const Vec3 between =
         at(x, vertex[0]) - (b[0] * at(x, vertex[1]) + b[1] * at(x, vertex[2]) + b[2] * at(x, vertex[3]));
-    return {norm(between), normalized(between), {1.0, -b[0], -b[1], -b[2]}};
+    return {normalized(between), {1.0, -b[0], -b[1], -b[2]}};
 }
 
 SurfaceContact::Push SurfaceContact::measure(const EdgeEdge& pair, std::span<const Vec3> x) const
@@ -74,7 +73,7 @@ SurfaceContact::Push SurfaceContact::measure(const EdgeEdge& pair, std::span<con
     const auto [s, t] = closest_of_segments(at(x, vertex[0]), at(x, vertex[1]), at(x, vertex[2]), at(x, vertex[3]));
     const Vec3 between =
         (1.0 - s) * at(x, vertex[0]) + s * at(x, vertex[1]) - (1.0 - t) * at(x, vertex[2]) - t * at(x, vertex[3]);
-    return {norm(between), normalized(between), {1.0 - s, s, t - 1.0, -t}};
+    return {normalized(between), {1.0 - s, s, t - 1.0, -t}};
 }
 
 double SurfaceContact::path_of(const VertexTriangle& pair) const
@@ -186,7 +185,7 @@ void SurfaceContact::limit_travel(const std::array<std::int32_t, 4>& vertex, dou
     }
 }
 
-void SurfaceContact::apply(const std::array<std::int32_t, 4>& vertex, const Push& push, double gap,
+void SurfaceContact::apply(const std::array<std::int32_t, 4>& vertex, const Push& push, double distance, double gap,
                            std::span<const Vec3> v, double dt, std::span<Vec3> forces, ContactResponse& response) const
 {
     double inverse_mass = 0.0;
@@ -200,7 +199,7 @@ void SurfaceContact::apply(const std::array<std::int32_t, 4>& vertex, const Push
     const double stiffness = stiffness_ * mass / (dt * dt);
     const double damping = 2.0 * std::sqrt(stiffness * mass);
     const double speed = std::min(0.0, dot(approach, push.direction));
-    const double depth = gap - push.distance;
+    const double depth = gap - distance;
     const Vec3 force = (stiffness * depth - damping * speed) * push.direction;
     for (std::size_t k = 0; k < 4; ++k)
     {
@@ -299,7 +298,7 @@ void SurfaceContact::push(std::span<const Vec3> x, std::span<const Vec3> v, doub
         const auto& w = push.weight;
         if (std::same_as<Pair, VertexTriangle> || (w[0] > 0.0 && w[1] > 0.0 && w[2] < 0.0 && w[3] < 0.0))
         {
-            apply(vertices_of(pair), push, gap, v, dt, forces, response);
+            apply(vertices_of(pair), push, pair.distance, gap, v, dt, forces, response);
         }
     }
 }

@@ -46,7 +46,6 @@ class SurfaceContact
   private:
     struct Push
     {
-        double distance = 0.0;
         Vec3 direction;               ///< unit, from the second to the first
         std::array<double, 4> weight; ///< of the four vertices: positive on the first primitive, negative on the second
     };
@@ -76,8 +75,8 @@ class SurfaceContact
     void watch(std::span<const Pair> pairs, Watch<Pair>& watched) const;
     template <class Pair>
     void measure_due(std::span<const Vec3> x, std::span<const Pair> pairs, Watch<Pair>& watched) const;
-    void apply(const std::array<std::int32_t, 4>& vertex, const Push& push, double gap, std::span<const Vec3> v,
-               double dt, std::span<Vec3> forces, ContactResponse& response) const;
+    void apply(const std::array<std::int32_t, 4>& vertex, const Push& push, double distance, double gap,
+               std::span<const Vec3> v, double dt, std::span<Vec3> forces, ContactResponse& response) const;
     void limit_travel(const std::array<std::int32_t, 4>& vertex, double distance);
     double path_of(const VertexTriangle& pair) const;
     double path_of(const EdgeEdge& pair) const;

@@ -127,10 +127,9 @@ void write_atomically(const std::filesystem::path& file, const std::function<voi
     }
 }
 
-void flush_names_beside(const std::filesystem::path& file)
+void flush_names(const std::filesystem::path& folder)
 {
-    const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-    Descriptor descriptor(folder, O_RDONLY | O_DIRECTORY);
+    Descriptor descriptor(folder.empty() ? "." : folder, O_RDONLY | O_DIRECTORY);
     if (descriptor.get() >= 0)
     {
         ::fsync(descriptor.get());

@@ -17,8 +17,8 @@ void write_atomically(const std::filesystem::path& file,
 /// The same for text already in memory.
 void write_text_atomically(const std::filesystem::path& file, std::string_view text);
 
-/// Flushes the names of a file and of all others in its folder, which are else up to the system: after a power cut a
-/// file may be missing that was written. Some file systems refuse; nothing is lost but that certainty.
-void flush_names_beside(const std::filesystem::path& file);
+/// Flushes the names of all files in a folder, which are else up to the system: after a power cut a file may be missing
+/// that was written. Some file systems refuse; nothing is lost but that certainty.
+void flush_names(const std::filesystem::path& folder);
 
 } // namespace corticle

@@ -57,7 +57,7 @@ void write_checkpoint(const std::filesystem::path& file, const Checkpoint& check
     const std::string block = user_block(std::string_view(bytes).substr(block_size));
     bytes.replace(0, block_size, block);
     write_text_atomically(file, bytes);
-    flush_names_beside(file);
+    flush_names(file.parent_path());
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& file)

@@ -111,6 +111,9 @@ class Recorder
     void save(const Simulation& simulation)
     {
         const Stopwatch watch(output_s_);
+        // What the checkpoint counts as written must be there after a power cut.
+        flush_names(request_.out / "pictures");
+        flush_names(request_.out);
         write_checkpoint(request_.out / "checkpoint.h5", to_checkpoint(simulation.state(), rows_, case_text_));
         saved_at_ = Clock::now();
     }

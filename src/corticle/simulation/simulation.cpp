@@ -40,10 +40,7 @@ std::vector<double> gather(std::span<const double> values, std::span<const std::
 void gather(std::span<const Vec3> values, std::span<const std::int32_t> at, std::vector<Vec3>& result)
 {
     result.resize(at.size());
-    for (std::size_t k = 0; k < at.size(); ++k)
-    {
-        result[k] = values[static_cast<std::size_t>(at[k])];
-    }
+    parallel_for(std::ssize(at), [&](std::int64_t k) { result[k] = values[at[k]]; });
 }
 
 double loading_time(const Body& body, const Options& options)
@@ -102,16 +99,9 @@ void Simulation::add_contact(Motion& motion)
 {
     const Stopwatch watch(seconds_.contact);
     const auto& surface = body_.cloud.surface_particles;
-    surface_x_.resize(surface.size());
-    surface_v_.resize(surface.size());
-    surface_force_.resize(surface.size());
-    parallel_for(std::ssize(surface),
-                 [&](std::int64_t k)
-                 {
-                     surface_x_[k] = motion.x[surface[k]];
-                     surface_v_[k] = motion.v[surface[k]];
-                     surface_force_[k] = {};
-                 });
+    gather(motion.x, surface, surface_x_);
+    gather(motion.v, surface, surface_v_);
+    surface_force_.assign(surface.size(), Vec3{});
     contact_response_ = contact_.evaluate(surface_x_, surface_v_, critical_dt_, surface_force_);
     const std::span<const double> limit = contact_.travel_limit();
     parallel_for(std::ssize(surface),
