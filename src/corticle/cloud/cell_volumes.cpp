@@ -145,14 +145,12 @@ std::vector<double> cell_volumes(const TriangleMesh& surface, std::span<const Ve
     const LineLattice lines(surface, step);
     const CellGrid grid(points, reach * spacing);
     std::vector<double> volumes(points.size(), 0.0);
-    using Shares = std::vector<Share>;
+    std::vector<Share> shares;
     for (std::int64_t first = 0; first < lines.count(); first += batch)
     {
-        const Shares shares = parallel_reduce(
-            std::min(batch, lines.count() - first), Shares{},
-            [&](std::int64_t begin, std::int64_t end)
-            { return shares_of_lines(lines, grid, first + begin, first + end); },
-            [](Shares& all, const Shares& part) { all.insert(all.end(), part.begin(), part.end()); });
+        parallel_list(std::min(batch, lines.count() - first), shares,
+                      [&](std::int64_t begin, std::int64_t end, std::vector<Share>& part)
+                      { part = shares_of_lines(lines, grid, first + begin, first + end); });
         for (const Share& share : shares)
         {
             volumes[share.index] += step * step * share.length;

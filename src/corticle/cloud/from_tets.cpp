@@ -26,23 +26,20 @@ constexpr std::array<double, 2> inner_depths{0.5, 0.3};
 /// Nodes inside a surface and at least `depth` from it [mm], in ascending order.
 std::vector<std::int32_t> inner_nodes(const TetMesh& mesh, const SurfaceTree& tree, double depth)
 {
-    using Nodes = std::vector<std::int32_t>;
-    return parallel_reduce(
-        std::ssize(mesh.vertices), Nodes{},
-        [&](std::int64_t begin, std::int64_t end)
-        {
-            Nodes found;
-            for (std::int64_t i = begin; i < end; ++i)
-            {
-                const Vec3& p = mesh.vertices[i];
-                if (tree.closest_within(p, depth).triangle < 0 && tree.winding_number(p) == 1)
-                {
-                    found.push_back(static_cast<std::int32_t>(i));
-                }
-            }
-            return found;
-        },
-        [](Nodes& all, const Nodes& part) { all.insert(all.end(), part.begin(), part.end()); });
+    std::vector<std::int32_t> nodes;
+    parallel_list(std::ssize(mesh.vertices), nodes,
+                  [&](std::int64_t begin, std::int64_t end, std::vector<std::int32_t>& found)
+                  {
+                      for (std::int64_t i = begin; i < end; ++i)
+                      {
+                          const Vec3& p = mesh.vertices[i];
+                          if (tree.closest_within(p, depth).triangle < 0 && tree.winding_number(p) == 1)
+                          {
+                              found.push_back(static_cast<std::int32_t>(i));
+                          }
+                      }
+                  });
+    return nodes;
 }
 
 /// Inner nodes that become particles beside those on the surface.

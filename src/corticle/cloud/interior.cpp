@@ -67,23 +67,20 @@ bool is_inside(const SurfaceTree& tree, const Vec3& point, double depth)
 
 std::vector<Vec3> points_of_lattice(const SurfaceTree& tree, const Lattice& lattice, double depth, std::uint64_t seed)
 {
-    using Points = std::vector<Vec3>;
-    return parallel_reduce(
-        lattice.count(), Points{},
-        [&](std::int64_t begin, std::int64_t end)
-        {
-            Points found;
-            for (std::int64_t cell = begin; cell < end; ++cell)
-            {
-                const Vec3 point = lattice.random_point(cell, seed);
-                if (is_inside(tree, point, depth))
-                {
-                    found.push_back(point);
-                }
-            }
-            return found;
-        },
-        [](Points& all, const Points& part) { all.insert(all.end(), part.begin(), part.end()); });
+    std::vector<Vec3> points;
+    parallel_list(lattice.count(), points,
+                  [&](std::int64_t begin, std::int64_t end, std::vector<Vec3>& found)
+                  {
+                      for (std::int64_t cell = begin; cell < end; ++cell)
+                      {
+                          const Vec3 point = lattice.random_point(cell, seed);
+                          if (is_inside(tree, point, depth))
+                          {
+                              found.push_back(point);
+                          }
+                      }
+                  });
+    return points;
 }
 
 /// Leaves `count` points, dropped at random.

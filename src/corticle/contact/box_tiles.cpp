@@ -42,6 +42,18 @@ struct TileSearch
         return {{tile.low[0][k], tile.low[1][k], tile.low[2][k]}, {tile.high[0][k], tile.high[1][k], tile.high[2][k]}};
     }
 
+    /// The box around those of a tile.
+    static Corners around(const Tile& tile)
+    {
+        Corners box{};
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+            box.low[axis] = *std::ranges::min_element(tile.low[axis]);
+            box.high[axis] = *std::ranges::max_element(tile.high[axis]);
+        }
+        return box;
+    }
+
     /// The places of a tile whose boxes overlap, as bits.
     CORTICLE_INLINE static std::uint32_t overlapping(const Tile& tile, const Corners& box)
     {
@@ -105,10 +117,11 @@ void BoxTiles::enclose()
                     above[tile] = {};
                     for (std::int64_t k = tile * width; k < std::min(std::ssize(below), (tile + 1) * width); ++k)
                     {
+                        const TileSearch::Corners box = TileSearch::around(below[k]);
                         for (std::size_t axis = 0; axis < 3; ++axis)
                         {
-                            above[tile].low[axis][k % width] = *std::ranges::min_element(below[k].low[axis]);
-                            above[tile].high[axis][k % width] = *std::ranges::max_element(below[k].high[axis]);
+                            above[tile].low[axis][k % width] = box.low[axis];
+                            above[tile].high[axis][k % width] = box.high[axis];
                         }
                     }
                 }
@@ -123,12 +136,7 @@ void BoxTiles::find_overlaps(std::int32_t tile, const BoxTiles& others, std::vec
     found.clear();
     const bool same = this == &others;
     const Tile& own = levels_[0][static_cast<std::size_t>(tile)];
-    TileSearch::Corners around{};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-        around.low[axis] = *std::ranges::min_element(own.low[axis]);
-        around.high[axis] = *std::ranges::max_element(own.high[axis]);
-    }
+    const TileSearch::Corners around = TileSearch::around(own);
     // Down from the top; the tiles still to be looked into wait on a stack, the next one last.
     struct Place
     {

@@ -22,28 +22,40 @@ Vec3 at(std::span<const Vec3> x, std::int32_t vertex)
     return x[static_cast<std::size_t>(vertex)];
 }
 
+/// Those whose closest pair may push: the vertex of a triangle, or both edges.
+std::array<std::int32_t, 1> owners_of(const VertexTriangle& pair)
+{
+    return {pair.vertex};
+}
+std::array<std::int32_t, 2> owners_of(const EdgeEdge& pair)
+{
+    return {pair.first, pair.second};
+}
+
 } // namespace
 
 SurfaceContact::SurfaceContact(std::span<const Triangle> triangles, std::span<const Vec3> rest,
                                std::vector<double> masses, double spacing, const ContactOptions& options)
     : parts_(triangles, rest), masses_(std::move(masses)), dhat_(options.distance * spacing), spacing_(spacing),
-      stiffness_(options.stiffness), vertex_gap_(rest.size(), dhat_), edge_gap_(parts_.edges().size(), dhat_),
-      reach_(rest.size()), step_(rest.size()), vertex_path_(rest.size()), triangle_path_(parts_.triangles().size()),
-      edge_path_(parts_.edges().size()), closest_triangle_(rest.size(), -1), closest_edge_(parts_.edges().size(), -1),
-      travel_limit_(rest.size())
+      stiffness_(options.stiffness), reach_(rest.size()), step_(rest.size()), vertex_path_(rest.size()),
+      triangle_path_(parts_.triangles().size()), edge_path_(parts_.edges().size()), travel_limit_(rest.size())
 {
     refresh_candidates(rest, std::vector<Vec3>(rest.size()), 0.0);
-    for (const VertexTriangle& pair : candidates_.vertex_triangle)
+    set_gaps<VertexTriangle>(std::ssize(rest), candidates_.vertex_triangle, vertices_);
+    set_gaps<EdgeEdge>(std::ssize(parts_.edges()), candidates_.edge_edge, edge_pairs_);
+}
+
+/// Gaps of `count` vertices or edges from the candidates at rest.
+template <class Pair>
+void SurfaceContact::set_gaps(std::int64_t count, std::span<const Pair> pairs, Watch<Pair>& watched) const
+{
+    watched.gap.assign(static_cast<std::size_t>(count), dhat_);
+    watched.closest.assign(static_cast<std::size_t>(count), -1);
+    for (const Pair& pair : pairs)
     {
-        double& gap = vertex_gap_[static_cast<std::size_t>(pair.vertex)];
-        gap = std::min(gap, pair.distance);
-    }
-    for (const EdgeEdge& pair : candidates_.edge_edge)
-    {
-        for (const std::int32_t edge : {pair.first, pair.second})
+        for (const std::int32_t owner : owners_of(pair))
         {
-            double& gap = edge_gap_[static_cast<std::size_t>(edge)];
-            gap = std::min(gap, pair.distance);
+            watched.gap[owner] = std::min(watched.gap[owner], pair.distance);
         }
     }
 }
@@ -210,70 +222,41 @@ void SurfaceContact::apply(const std::array<std::int32_t, 4>& vertex, const Push
     ++response.active;
 }
 
-namespace
-{
-
-/// Notes that near pair `index` is the closest of one of its parts so far.
+/// Of the triangles near a vertex the closest pushes; two edges push each other that are each other's closest.
 template <class Pair>
-void note_closest(std::span<const Pair> near, std::int32_t index, std::int32_t& closest)
+void SurfaceContact::choose(Watch<Pair>& watched)
 {
-    if (closest < 0 ||
-        near[static_cast<std::size_t>(index)].distance < near[static_cast<std::size_t>(closest)].distance)
-    {
-        closest = index;
-    }
-}
-
-} // namespace
-
-/// Of the triangles near a vertex the closest pushes.
-void SurfaceContact::choose_vertices()
-{
-    const std::vector<VertexTriangle>& near = vertices_.near;
+    const std::vector<Pair>& near = watched.near;
     for (std::int32_t m = 0; m < std::ssize(near); ++m)
     {
         limit_travel(vertices_of(near[m]), near[m].distance);
-        note_closest<VertexTriangle>(near, m, closest_triangle_[near[m].vertex]);
-    }
-    vertices_.pushing.clear();
-    for (std::int32_t m = 0; m < std::ssize(near); ++m)
-    {
-        const double gap = vertex_gap_[near[m].vertex];
-        if (closest_triangle_[near[m].vertex] == m && near[m].distance < gap)
+        for (const std::int32_t owner : owners_of(near[m]))
         {
-            vertices_.pushing.push_back({near[m], gap, {}});
+            std::int32_t& closest = watched.closest[owner];
+            closest = closest < 0 || near[m].distance < near[closest].distance ? m : closest;
         }
     }
-    for (const VertexTriangle& one : near)
-    {
-        closest_triangle_[one.vertex] = -1;
-    }
-}
-
-/// Two edges push each other that are each other's closest.
-void SurfaceContact::choose_edges()
-{
-    const std::vector<EdgeEdge>& near = edge_pairs_.near;
+    watched.pushing.clear();
     for (std::int32_t m = 0; m < std::ssize(near); ++m)
     {
-        limit_travel(vertices_of(near[m]), near[m].distance);
-        note_closest<EdgeEdge>(near, m, closest_edge_[near[m].first]);
-        note_closest<EdgeEdge>(near, m, closest_edge_[near[m].second]);
-    }
-    edge_pairs_.pushing.clear();
-    for (std::int32_t m = 0; m < std::ssize(near); ++m)
-    {
-        const auto& [first, second, distance] = near[m];
-        const double gap = std::min(edge_gap_[first], edge_gap_[second]);
-        if (closest_edge_[first] == m && closest_edge_[second] == m && distance < gap)
+        double gap = dhat_;
+        bool is_closest = true;
+        for (const std::int32_t owner : owners_of(near[m]))
         {
-            edge_pairs_.pushing.push_back({near[m], gap, {}});
+            gap = std::min(gap, watched.gap[owner]);
+            is_closest = is_closest && watched.closest[owner] == m;
+        }
+        if (is_closest && near[m].distance < gap)
+        {
+            watched.pushing.push_back({near[m], gap, {}});
         }
     }
-    for (const EdgeEdge& one : near)
+    for (const Pair& pair : near)
     {
-        closest_edge_[one.first] = -1;
-        closest_edge_[one.second] = -1;
+        for (const std::int32_t owner : owners_of(pair))
+        {
+            watched.closest[owner] = -1;
+        }
     }
 }
 
@@ -311,8 +294,8 @@ ContactResponse SurfaceContact::evaluate(std::span<const Vec3> x, std::span<cons
     measure_due<VertexTriangle>(x, candidates_.vertex_triangle, vertices_);
     measure_due<EdgeEdge>(x, candidates_.edge_edge, edge_pairs_);
     ContactResponse response;
-    choose_vertices();
-    choose_edges();
+    choose(vertices_);
+    choose(edge_pairs_);
     push(x, v, dt, vertices_, forces, response);
     push(x, v, dt, edge_pairs_, forces, response);
     return response;

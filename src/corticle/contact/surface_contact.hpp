@@ -63,14 +63,18 @@ class SurfaceContact
     template <class Pair>
     struct Watch
     {
-        std::vector<double> due;            ///< path at which it may be near [mm]
-        std::vector<Pair> near;             ///< in the order of the pairs, with their distance now
-        std::vector<Pushing<Pair>> pushing; ///< those of them that may push
+        std::vector<double> gap;            ///< of every vertex, or of every edge [mm]
+        std::vector<double> due;            ///< path at which each candidate may be near [mm]
+        std::vector<Pair> near;             ///< in the order of the candidates, with their distance now
+        std::vector<std::int32_t> closest;  ///< of every vertex, or of every edge, its closest near pair; else -1
+        std::vector<Pushing<Pair>> pushing; ///< those of the near pairs that may push
     };
     std::array<std::int32_t, 4> vertices_of(const VertexTriangle& pair) const;
     std::array<std::int32_t, 4> vertices_of(const EdgeEdge& pair) const;
     Push measure(const VertexTriangle& pair, std::span<const Vec3> x) const;
     Push measure(const EdgeEdge& pair, std::span<const Vec3> x) const;
+    template <class Pair>
+    void set_gaps(std::int64_t count, std::span<const Pair> pairs, Watch<Pair>& watched) const;
     template <class Pair>
     void watch(std::span<const Pair> pairs, Watch<Pair>& watched) const;
     template <class Pair>
@@ -82,8 +86,8 @@ class SurfaceContact
     double path_of(const EdgeEdge& pair) const;
     bool follow(std::span<const Vec3> x);
     void refresh_candidates(std::span<const Vec3> x, std::span<const Vec3> v, double dt);
-    void choose_vertices();
-    void choose_edges();
+    template <class Pair>
+    void choose(Watch<Pair>& watched);
     template <class Pair>
     void push(std::span<const Vec3> x, std::span<const Vec3> v, double dt, Watch<Pair>& watched, std::span<Vec3> forces,
               ContactResponse& response) const;
@@ -93,22 +97,18 @@ class SurfaceContact
     double dhat_;
     double spacing_;
     double stiffness_;
-    std::vector<double> vertex_gap_; ///< [mm]
-    std::vector<double> edge_gap_;   ///< [mm]
 
-    // Scratch: nothing below changes what the next evaluation gives.
+    // But for the gaps nothing below changes what the next evaluation gives.
     Candidates candidates_;
     Watch<VertexTriangle> vertices_;
     Watch<EdgeEdge> edge_pairs_;
     std::vector<Vec3> listed_at_; ///< positions the candidates were found at
     std::vector<double> reach_;   ///< how far each vertex may be from there before they are found anew [mm]
     std::vector<Vec3> last_x_;
-    std::vector<double> step_;                   ///< how far each vertex has moved since the last evaluation [mm]
-    std::vector<double> vertex_path_;            ///< sums of these [mm]
-    std::vector<double> triangle_path_;          ///< sums of the largest of the three corners [mm]
-    std::vector<double> edge_path_;              ///< of both ends [mm]
-    std::vector<std::int32_t> closest_triangle_; ///< per vertex: its closest near pair, or -1
-    std::vector<std::int32_t> closest_edge_;     ///< per edge: likewise
+    std::vector<double> step_;          ///< how far each vertex has moved since the last evaluation [mm]
+    std::vector<double> vertex_path_;   ///< sums of these [mm]
+    std::vector<double> triangle_path_; ///< sums of the largest of the three corners [mm]
+    std::vector<double> edge_path_;     ///< of both ends [mm]
     std::vector<double> travel_limit_;
 };
 
