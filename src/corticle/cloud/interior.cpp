@@ -35,8 +35,10 @@ struct Lattice
     Vec3 random_point(std::int64_t cell, std::uint64_t seed) const
     {
         const auto counter = static_cast<std::uint64_t>(3 * cell);
-        const auto x = static_cast<double>(cell / (cells[1] * cells[2]));
-        const auto y = static_cast<double>(cell / cells[2] % cells[1]);
+        const std::int64_t row = cell / cells[2];
+        const std::int64_t layer = row / cells[1];
+        const auto x = static_cast<double>(layer);
+        const auto y = static_cast<double>(row % cells[1]);
         const auto z = static_cast<double>(cell % cells[2]);
         return low + width * Vec3{x + hash_uniform(seed, counter), y + hash_uniform(seed, counter + 1),
                                   z + hash_uniform(seed, counter + 2)};
