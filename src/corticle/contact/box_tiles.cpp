@@ -170,20 +170,21 @@ void BoxTiles::find_overlaps(std::int32_t tile, const BoxTiles& others, std::vec
             }
             continue;
         }
-        TileSearch::for_places(TileSearch::overlapping(own, next.box),
-                               [&](std::int32_t k)
-                               {
-                                   const std::int32_t first = tile * width + k;
-                                   TileSearch::for_places(TileSearch::overlapping(other, TileSearch::at(own, k)),
-                                                          [&](std::int32_t m)
-                                                          {
-                                                              const std::int32_t second = next.tile * width + m;
-                                                              if (!same || second > first)
-                                                              {
-                                                                  found.push_back({first, second});
-                                                              }
-                                                          });
-                               });
+        std::array<BoxPair, static_cast<std::size_t>(width * width)> here;
+        std::size_t count = 0;
+        TileSearch::for_places(
+            TileSearch::overlapping(own, next.box),
+            [&](std::int32_t k)
+            {
+                const std::int32_t first = tile * width + k;
+                std::uint32_t places = TileSearch::overlapping(other, TileSearch::at(own, k));
+                if (same && next.tile == tile)
+                {
+                    places &= ~1U << k; // those after the first
+                }
+                TileSearch::for_places(places, [&](std::int32_t m) { here[count++] = {first, next.tile * width + m}; });
+            });
+        found.insert(found.end(), here.begin(), here.begin() + static_cast<std::ptrdiff_t>(count));
     }
 }
 

@@ -31,25 +31,26 @@ void find_pairs(const Searched& firsts, const Searched& seconds, double range, s
         firsts.boxes.tile_count(), found,
         [&](std::int64_t begin, std::int64_t end, std::vector<Pair>& pairs)
         {
-            std::vector<double> within;
             std::vector<BoxPair> overlapping;
+            std::vector<double> within;
+            std::size_t count = 0;
             for (std::int64_t tile = begin; tile < end; ++tile)
             {
                 firsts.boxes.find_overlaps(static_cast<std::int32_t>(tile), seconds.boxes, overlapping);
+                pairs.resize(count + overlapping.size());
+                within.resize(count + overlapping.size());
                 for (const auto& [first, second] : overlapping)
                 {
-                    const Pair pair = pair_of(first, second);
-                    if (wanted(pair))
-                    {
-                        pairs.push_back(pair);
-                        within.push_back(range + firsts.reach[static_cast<std::size_t>(first)] +
-                                         seconds.reach[static_cast<std::size_t>(second)]);
-                    }
+                    pairs[count] = pair_of(first, second);
+                    within[count] = range + firsts.reach[static_cast<std::size_t>(first)] +
+                                    seconds.reach[static_cast<std::size_t>(second)];
+                    count += wanted(pairs[count]) ? 1 : 0;
                 }
             }
+            pairs.resize(count);
             measure(pairs);
             std::size_t kept = 0;
-            for (std::size_t k = 0; k < pairs.size(); ++k)
+            for (std::size_t k = 0; k < count; ++k)
             {
                 pairs[kept] = pairs[k];
                 kept += pairs[k].distance < within[k] ? 1 : 0;
@@ -59,23 +60,30 @@ void find_pairs(const Searched& firsts, const Searched& seconds, double range, s
         tiles_at_a_time);
 }
 
-/// Vectors between the closest points of eight pairs.
-CORTICLE_INLINE WideVec3 between_closest(const WideVec3 (&corner)[4], const VertexTriangle&)
+/// The closest points of eight pairs.
+struct WideClosestPoints
+{
+    WideVec3 between;
+    WideLanes weight[4];
+};
+
+CORTICLE_INLINE WideClosestPoints closest_points(const WideVec3 (&corner)[4], const VertexTriangle&)
 {
     const auto& [p, a, b, c] = corner;
     const auto weight = closest_on_triangle(p, a, b, c);
-    return p - (weight[0] * a + weight[1] * b + weight[2] * c);
+    return {p - (weight[0] * a + weight[1] * b + weight[2] * c),
+            {broadcast<WideLanes>(1.0), -weight[0], -weight[1], -weight[2]}};
 }
-CORTICLE_INLINE WideVec3 between_closest(const WideVec3 (&corner)[4], const EdgeEdge&)
+CORTICLE_INLINE WideClosestPoints closest_points(const WideVec3 (&corner)[4], const EdgeEdge&)
 {
     const auto& [a, b, c, d] = corner;
     const auto [s, t] = closest_of_segments(a, b, c, d);
-    return a + s * (b - a) - c - t * (d - c);
+    return {a + s * (b - a) - c - t * (d - c), {1.0 - s, s, t - 1.0, -t}};
 }
 
-/// Sets the distance of every pair, eight at a time.
-template <class Part, class Pair>
-CORTICLE_INLINE void measure_groups(const Vec3* x, const Part* parts, std::span<Pair> pairs)
+/// Calls take(group, points) with the closest points of the pairs, eight at a time.
+template <class Part, class Pair, class Take>
+CORTICLE_INLINE void for_groups(const Vec3* x, const Part* parts, std::span<const Pair> pairs, Take&& take)
 {
     for (std::int64_t first = 0; first < std::ssize(pairs); first += wide_lanes)
     {
@@ -96,12 +104,41 @@ CORTICLE_INLINE void measure_groups(const Vec3* x, const Part* parts, std::span<
             corner[c] = WideGroup{0, wide_lanes}.gather_vectors([x, of_corner](std::int64_t lane) -> const Vec3&
                                                                 { return x[of_corner[lane]]; });
         }
-        WideLanes distance = square_root(squared_norm(between_closest(corner, Pair{})));
-        for (int lane = 0; lane < group.count; ++lane)
-        {
-            pairs[static_cast<std::size_t>(first + lane)].distance = at_lane(distance, lane);
-        }
+        take(group, closest_points(corner, Pair{}));
     }
+}
+
+template <class Part, class Pair>
+CORTICLE_INLINE void measure_groups(const Vec3* x, const Part* parts, std::span<Pair> pairs)
+{
+    for_groups<Part, Pair>(x, parts, pairs,
+                           [&](const WideGroup& group, const WideClosestPoints& points)
+                           {
+                               WideLanes distance = square_root(squared_norm(points.between));
+                               for (int lane = 0; lane < group.count; ++lane)
+                               {
+                                   pairs[static_cast<std::size_t>(group.first + lane)].distance =
+                                       at_lane(distance, lane);
+                               }
+                           });
+}
+
+template <class Part, class Pair>
+CORTICLE_INLINE void locate_groups(const Vec3* x, const Part* parts, std::span<const Pair> pairs, ClosestPoints* points)
+{
+    for_groups<Part, Pair>(x, parts, pairs,
+                           [&](const WideGroup& group, WideClosestPoints found)
+                           {
+                               group.scatter_vectors(found.between,
+                                                     [points](std::int64_t k) -> Vec3& { return points[k].between; });
+                               for (int lane = 0; lane < group.count; ++lane)
+                               {
+                                   for (std::size_t c = 0; c < 4; ++c)
+                                   {
+                                       points[group.first + lane].weight[c] = at_lane(found.weight[c], lane);
+                                   }
+                               }
+                           });
 }
 
 CORTICLE_EVERY_ISA void measure_pairs(const Vec3* x, const Triangle* triangles, std::span<VertexTriangle> pairs)
@@ -111,6 +148,16 @@ CORTICLE_EVERY_ISA void measure_pairs(const Vec3* x, const Triangle* triangles, 
 CORTICLE_EVERY_ISA void measure_pairs(const Vec3* x, const Edge* edges, std::span<EdgeEdge> pairs)
 {
     measure_groups(x, edges, pairs);
+}
+CORTICLE_EVERY_ISA void locate_pairs(const Vec3* x, const Triangle* triangles, std::span<const VertexTriangle> pairs,
+                                     ClosestPoints* points)
+{
+    locate_groups(x, triangles, pairs, points);
+}
+CORTICLE_EVERY_ISA void locate_pairs(const Vec3* x, const Edge* edges, std::span<const EdgeEdge> pairs,
+                                     ClosestPoints* points)
+{
+    locate_groups(x, edges, pairs, points);
 }
 
 template <class Part>
@@ -175,6 +222,18 @@ void SurfaceParts::measure(std::span<const Vec3> x, std::span<EdgeEdge> pairs) c
     measure_pairs(x.data(), edges_.data(), pairs);
 }
 
+void SurfaceParts::locate(std::span<const Vec3> x, std::span<const VertexTriangle> pairs,
+                          std::span<ClosestPoints> points) const
+{
+    locate_pairs(x.data(), triangles_.data(), pairs, points.data());
+}
+
+void SurfaceParts::locate(std::span<const Vec3> x, std::span<const EdgeEdge> pairs,
+                          std::span<ClosestPoints> points) const
+{
+    locate_pairs(x.data(), edges_.data(), pairs, points.data());
+}
+
 template <class Part>
 void SurfaceParts::enclose(std::span<const Part> parts, std::span<const Vec3> x, double range,
                            std::span<const double> reach, Searched& searched)
@@ -215,7 +274,7 @@ void SurfaceParts::find_candidates(std::span<const Vec3> x, double range, std::s
         [&](const VertexTriangle& pair)
         {
             const Triangle& corner = triangles_[static_cast<std::size_t>(pair.triangle)];
-            return pair.vertex != corner[0] && pair.vertex != corner[1] && pair.vertex != corner[2];
+            return (pair.vertex != corner[0]) & (pair.vertex != corner[1]) & (pair.vertex != corner[2]);
         },
         measured);
     find_pairs(
@@ -227,7 +286,7 @@ void SurfaceParts::find_candidates(std::span<const Vec3> x, double range, std::s
         {
             const Edge& a = edges_[static_cast<std::size_t>(pair.first)];
             const Edge& b = edges_[static_cast<std::size_t>(pair.second)];
-            return a[0] != b[0] && a[0] != b[1] && a[1] != b[0] && a[1] != b[1];
+            return (a[0] != b[0]) & (a[0] != b[1]) & (a[1] != b[0]) & (a[1] != b[1]);
         },
         measured);
 }

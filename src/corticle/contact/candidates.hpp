@@ -47,6 +47,13 @@ inline std::array<std::int32_t, 4> vertices_of(const EdgeEdge& pair, const Edge*
     return {a[0], a[1], b[0], b[1]};
 }
 
+/// The closest points of a pair.
+struct ClosestPoints
+{
+    Vec3 between;                 ///< from that of the second part to that of the first [mm]
+    std::array<double, 4> weight; ///< of the four vertices: positive in the first part, negative in the second
+};
+
 /// All pairs of a surface that lie within a distance of each other. Two pairs stand in the same order in all lists that
 /// hold both.
 struct Candidates
@@ -75,6 +82,10 @@ class SurfaceParts
     /// Distances at positions x, into the pairs [mm].
     void measure(std::span<const Vec3> x, std::span<VertexTriangle> pairs) const;
     void measure(std::span<const Vec3> x, std::span<EdgeEdge> pairs) const;
+
+    /// Closest points at positions x, of every pair.
+    void locate(std::span<const Vec3> x, std::span<const VertexTriangle> pairs, std::span<ClosestPoints> points) const;
+    void locate(std::span<const Vec3> x, std::span<const EdgeEdge> pairs, std::span<ClosestPoints> points) const;
 
   private:
     /// What is searched for, or in.

@@ -2,9 +2,9 @@
 #include "corticle/contact/surface_contact.hpp"
 
 #include "corticle/base/parallel.hpp"
-#include "corticle/geometry/distance.hpp"
 
-#include <concepts>
+#include <array>
+#include <limits>
 
 namespace corticle
 {
@@ -32,6 +32,16 @@ std::array<std::int32_t, 2> owners_of(const EdgeEdge& pair)
     return {pair.first, pair.second};
 }
 
+/// Edges push between their ends only; those belong to the vertices.
+bool acts(const VertexTriangle&, const std::array<double, 4>&)
+{
+    return true;
+}
+bool acts(const EdgeEdge&, const std::array<double, 4>& weight)
+{
+    return weight[0] > 0.0 && weight[1] > 0.0 && weight[2] < 0.0 && weight[3] < 0.0;
+}
+
 } // namespace
 
 SurfaceContact::SurfaceContact(std::span<const Triangle> triangles, std::span<const Vec3> rest,
@@ -41,16 +51,18 @@ SurfaceContact::SurfaceContact(std::span<const Triangle> triangles, std::span<co
       triangle_path_(parts_.triangles().size()), edge_path_(parts_.edges().size()), travel_limit_(rest.size())
 {
     refresh_candidates(rest, std::vector<Vec3>(rest.size()), 0.0);
-    set_gaps<VertexTriangle>(std::ssize(rest), candidates_.vertex_triangle, vertices_);
-    set_gaps<EdgeEdge>(std::ssize(parts_.edges()), candidates_.edge_edge, edge_pairs_);
+    vertices_.gap.assign(rest.size(), dhat_);
+    vertices_.least.resize(rest.size() + parts_.triangles().size());
+    edge_pairs_.gap.assign(parts_.edges().size(), dhat_);
+    edge_pairs_.least.resize(parts_.edges().size());
+    set_gaps<VertexTriangle>(candidates_.vertex_triangle, vertices_);
+    set_gaps<EdgeEdge>(candidates_.edge_edge, edge_pairs_);
 }
 
-/// Gaps of `count` vertices or edges from the candidates at rest.
+/// Gaps of the owners from the candidates at rest.
 template <class Pair>
-void SurfaceContact::set_gaps(std::int64_t count, std::span<const Pair> pairs, Watch<Pair>& watched) const
+void SurfaceContact::set_gaps(std::span<const Pair> pairs, Watch<Pair>& watched) const
 {
-    watched.gap.assign(static_cast<std::size_t>(count), dhat_);
-    watched.closest.assign(static_cast<std::size_t>(count), -1);
     for (const Pair& pair : pairs)
     {
         for (const std::int32_t owner : owners_of(pair))
@@ -70,22 +82,15 @@ std::array<std::int32_t, 4> SurfaceContact::vertices_of(const EdgeEdge& pair) co
     return corticle::vertices_of(pair, parts_.edges().data());
 }
 
-SurfaceContact::Push SurfaceContact::measure(const VertexTriangle& pair, std::span<const Vec3> x) const
+/// Numbers of both parts of a pair, those of triangles after those of the vertices.
+std::array<std::int32_t, 2> SurfaceContact::parts_of(const VertexTriangle& pair) const
 {
-    const auto vertex = vertices_of(pair);
-    const auto b = closest_on_triangle(at(x, vertex[0]), at(x, vertex[1]), at(x, vertex[2]), at(x, vertex[3]));
-    const Vec3 between =
-        at(x, vertex[0]) - (b[0] * at(x, vertex[1]) + b[1] * at(x, vertex[2]) + b[2] * at(x, vertex[3]));
-    return {normalized(between), {1.0, -b[0], -b[1], -b[2]}};
+    return {pair.vertex, static_cast<std::int32_t>(masses_.size()) + pair.triangle};
 }
 
-SurfaceContact::Push SurfaceContact::measure(const EdgeEdge& pair, std::span<const Vec3> x) const
+std::array<std::int32_t, 2> SurfaceContact::parts_of(const EdgeEdge& pair) const
 {
-    const auto vertex = vertices_of(pair);
-    const auto [s, t] = closest_of_segments(at(x, vertex[0]), at(x, vertex[1]), at(x, vertex[2]), at(x, vertex[3]));
-    const Vec3 between =
-        (1.0 - s) * at(x, vertex[0]) + s * at(x, vertex[1]) - (1.0 - t) * at(x, vertex[2]) - t * at(x, vertex[3]);
-    return {normalized(between), {1.0 - s, s, t - 1.0, -t}};
+    return {pair.first, pair.second};
 }
 
 double SurfaceContact::path_of(const VertexTriangle& pair) const
@@ -197,93 +202,100 @@ void SurfaceContact::limit_travel(const std::array<std::int32_t, 4>& vertex, dou
     }
 }
 
-void SurfaceContact::apply(const std::array<std::int32_t, 4>& vertex, const Push& push, double distance, double gap,
-                           std::span<const Vec3> v, double dt, std::span<Vec3> forces, ContactResponse& response) const
+/// Of the triangles near a vertex the closest pushes; two edges push each other that are each other's closest. Of
+/// several as close it is the first.
+template <class Pair>
+void SurfaceContact::choose(Watch<Pair>& watched)
 {
+    constexpr double taken = -1.0;
+    std::ranges::fill(watched.least, std::numeric_limits<double>::infinity());
+    for (const Pair& pair : watched.near)
+    {
+        for (const std::int32_t part : parts_of(pair))
+        {
+            watched.least[part] = std::min(watched.least[part], pair.distance);
+        }
+    }
+    watched.pushing.clear();
+    for (const Pair& pair : watched.near)
+    {
+        const auto parts = parts_of(pair);
+        const std::array is_closest{pair.distance == watched.least[parts[0]], pair.distance == watched.least[parts[1]]};
+        if (!is_closest[0] && !is_closest[1])
+        {
+            continue;
+        }
+        limit_travel(vertices_of(pair), pair.distance);
+        double gap = dhat_;
+        bool may_push = true;
+        const auto owners = owners_of(pair);
+        for (std::size_t k = 0; k < owners.size(); ++k)
+        {
+            gap = std::min(gap, watched.gap[owners[k]]);
+            may_push = may_push && is_closest[k];
+        }
+        if (may_push && pair.distance < gap)
+        {
+            watched.pushing.push_back({pair, gap});
+        }
+        for (std::size_t k = 0; k < 2; ++k)
+        {
+            watched.least[parts[k]] = is_closest[k] ? taken : watched.least[parts[k]];
+        }
+    }
+}
+
+template <class Pair>
+SurfaceContact::Push SurfaceContact::push_of(const Pushing<Pair>& pushing, const ClosestPoints& points,
+                                             std::span<const Vec3> v, double dt) const
+{
+    const auto vertex = vertices_of(pushing.pair);
+    const double depth = pushing.gap - pushing.pair.distance;
     double inverse_mass = 0.0;
     Vec3 approach;
     for (std::size_t k = 0; k < 4; ++k)
     {
-        inverse_mass += push.weight[k] * push.weight[k] / masses_[static_cast<std::size_t>(vertex[k])];
-        approach += push.weight[k] * at(v, vertex[k]);
+        const double weight = points.weight[k];
+        inverse_mass += weight * weight / masses_[static_cast<std::size_t>(vertex[k])];
+        approach += weight * at(v, vertex[k]);
     }
     const double mass = 1.0 / inverse_mass;
     const double stiffness = stiffness_ * mass / (dt * dt);
     const double damping = 2.0 * std::sqrt(stiffness * mass);
-    const double speed = std::min(0.0, dot(approach, push.direction));
-    const double depth = gap - distance;
-    const Vec3 force = (stiffness * depth - damping * speed) * push.direction;
-    for (std::size_t k = 0; k < 4; ++k)
-    {
-        forces[static_cast<std::size_t>(vertex[k])] += push.weight[k] * force;
-    }
-    response.energy += 0.5 * stiffness * depth * depth;
-    response.dissipated_power += damping * speed * speed;
-    ++response.active;
+    const Vec3 direction = normalized(points.between);
+    const double speed = std::min(0.0, dot(approach, direction));
+    return {vertex,
+            points.weight,
+            (stiffness * depth - damping * speed) * direction,
+            0.5 * stiffness * depth * depth,
+            damping * speed * speed,
+            acts(pushing.pair, points.weight)};
 }
 
-/// Of the triangles near a vertex the closest pushes; two edges push each other that are each other's closest.
+/// The pushes of a list, to where they are wanted.
 template <class Pair>
-void SurfaceContact::choose(Watch<Pair>& watched)
-{
-    const std::vector<Pair>& near = watched.near;
-    for (std::int32_t m = 0; m < std::ssize(near); ++m)
-    {
-        limit_travel(vertices_of(near[m]), near[m].distance);
-        for (const std::int32_t owner : owners_of(near[m]))
-        {
-            std::int32_t& closest = watched.closest[owner];
-            closest = closest < 0 || near[m].distance < near[closest].distance ? m : closest;
-        }
-    }
-    watched.pushing.clear();
-    for (std::int32_t m = 0; m < std::ssize(near); ++m)
-    {
-        double gap = dhat_;
-        bool is_closest = true;
-        for (const std::int32_t owner : owners_of(near[m]))
-        {
-            gap = std::min(gap, watched.gap[owner]);
-            is_closest = is_closest && watched.closest[owner] == m;
-        }
-        if (is_closest && near[m].distance < gap)
-        {
-            watched.pushing.push_back({near[m], gap, {}});
-        }
-    }
-    for (const Pair& pair : near)
-    {
-        for (const std::int32_t owner : owners_of(pair))
-        {
-            watched.closest[owner] = -1;
-        }
-    }
-}
-
-/// Edges push between their ends only; those belong to the vertices.
-template <class Pair>
-void SurfaceContact::push(std::span<const Vec3> x, std::span<const Vec3> v, double dt, Watch<Pair>& watched,
-                          std::span<Vec3> forces, ContactResponse& response) const
+void SurfaceContact::set_pushes(std::span<const Vec3> x, std::span<const Vec3> v, double dt,
+                                std::span<const Pushing<Pair>> pushing, Push* pushes) const
 {
     constexpr std::int64_t pairs_at_a_time = 64;
     parallel_blocks(
-        std::ssize(watched.pushing),
+        std::ssize(pushing),
         [&](std::int64_t begin, std::int64_t end)
         {
-            for (std::int64_t m = begin; m < end; ++m)
+            std::array<Pair, pairs_at_a_time> pairs;
+            std::array<ClosestPoints, pairs_at_a_time> points;
+            const auto count = static_cast<std::size_t>(end - begin);
+            for (std::size_t m = 0; m < count; ++m)
             {
-                watched.pushing[m].push = measure(watched.pushing[m].pair, x);
+                pairs[m] = pushing[begin + m].pair;
+            }
+            parts_.locate(x, std::span(pairs).first(count), points);
+            for (std::size_t m = 0; m < count; ++m)
+            {
+                pushes[begin + m] = push_of(pushing[begin + m], points[m], v, dt);
             }
         },
         pairs_at_a_time);
-    for (const auto& [pair, gap, push] : watched.pushing)
-    {
-        const auto& w = push.weight;
-        if (std::same_as<Pair, VertexTriangle> || (w[0] > 0.0 && w[1] > 0.0 && w[2] < 0.0 && w[3] < 0.0))
-        {
-            apply(vertices_of(pair), push, pair.distance, gap, v, dt, forces, response);
-        }
-    }
 }
 
 ContactResponse SurfaceContact::evaluate(std::span<const Vec3> x, std::span<const Vec3> v, double dt,
@@ -293,11 +305,25 @@ ContactResponse SurfaceContact::evaluate(std::span<const Vec3> x, std::span<cons
     std::fill(travel_limit_.begin(), travel_limit_.end(), travel_share * dhat_);
     measure_due<VertexTriangle>(x, candidates_.vertex_triangle, vertices_);
     measure_due<EdgeEdge>(x, candidates_.edge_edge, edge_pairs_);
-    ContactResponse response;
     choose(vertices_);
     choose(edge_pairs_);
-    push(x, v, dt, vertices_, forces, response);
-    push(x, v, dt, edge_pairs_, forces, response);
+    pushes_.resize(vertices_.pushing.size() + edge_pairs_.pushing.size());
+    set_pushes<VertexTriangle>(x, v, dt, vertices_.pushing, pushes_.data());
+    set_pushes<EdgeEdge>(x, v, dt, edge_pairs_.pushing, pushes_.data() + vertices_.pushing.size());
+    ContactResponse response;
+    for (const Push& push : pushes_)
+    {
+        if (push.acts)
+        {
+            for (std::size_t k = 0; k < 4; ++k)
+            {
+                forces[static_cast<std::size_t>(push.vertex[k])] += push.weight[k] * push.force;
+            }
+            response.energy += push.energy;
+            response.dissipated_power += push.dissipated_power;
+            ++response.active;
+        }
+    }
     return response;
 }
 

@@ -44,18 +44,22 @@ class SurfaceContact
     double activation_distance() const { return dhat_; }
 
   private:
-    struct Push
-    {
-        Vec3 direction;               ///< unit, from the second to the first
-        std::array<double, 4> weight; ///< of the four vertices: positive on the first primitive, negative on the second
-    };
     /// A near pair that pushes where its closest points allow it.
     template <class Pair>
     struct Pushing
     {
         Pair pair;
         double gap; ///< [mm]
-        Push push;
+    };
+    /// What it pushes with.
+    struct Push
+    {
+        std::array<std::int32_t, 4> vertex;
+        std::array<double, 4> weight; ///< of the force on each vertex
+        Vec3 force;                   ///< on the first part [mu_w mm²]
+        double energy;
+        double dissipated_power;
+        bool acts;
     };
     /// What is known of candidates, and those of them that are near: closer than dhat now. The path of a pair is the
     /// length of way its two parts have moved: a pair measured once need not be measured again before that has grown by
@@ -63,24 +67,22 @@ class SurfaceContact
     template <class Pair>
     struct Watch
     {
-        std::vector<double> gap;            ///< of every vertex, or of every edge [mm]
-        std::vector<double> due;            ///< path at which each candidate may be near [mm]
-        std::vector<Pair> near;             ///< in the order of the candidates, with their distance now
-        std::vector<std::int32_t> closest;  ///< of every vertex, or of every edge, its closest near pair; else -1
+        std::vector<double> gap;   ///< of every vertex, or of every edge [mm]
+        std::vector<double> due;   ///< path at which each candidate may be near [mm]
+        std::vector<Pair> near;    ///< in the order of the candidates, with their distance now
+        std::vector<double> least; ///< of every part, the distance of its closest near pair; -1 once that is found [mm]
         std::vector<Pushing<Pair>> pushing; ///< those of the near pairs that may push
     };
     std::array<std::int32_t, 4> vertices_of(const VertexTriangle& pair) const;
     std::array<std::int32_t, 4> vertices_of(const EdgeEdge& pair) const;
-    Push measure(const VertexTriangle& pair, std::span<const Vec3> x) const;
-    Push measure(const EdgeEdge& pair, std::span<const Vec3> x) const;
+    std::array<std::int32_t, 2> parts_of(const VertexTriangle& pair) const;
+    std::array<std::int32_t, 2> parts_of(const EdgeEdge& pair) const;
     template <class Pair>
-    void set_gaps(std::int64_t count, std::span<const Pair> pairs, Watch<Pair>& watched) const;
+    void set_gaps(std::span<const Pair> pairs, Watch<Pair>& watched) const;
     template <class Pair>
     void watch(std::span<const Pair> pairs, Watch<Pair>& watched) const;
     template <class Pair>
     void measure_due(std::span<const Vec3> x, std::span<const Pair> pairs, Watch<Pair>& watched) const;
-    void apply(const std::array<std::int32_t, 4>& vertex, const Push& push, double distance, double gap,
-               std::span<const Vec3> v, double dt, std::span<Vec3> forces, ContactResponse& response) const;
     void limit_travel(const std::array<std::int32_t, 4>& vertex, double distance);
     double path_of(const VertexTriangle& pair) const;
     double path_of(const EdgeEdge& pair) const;
@@ -89,8 +91,10 @@ class SurfaceContact
     template <class Pair>
     void choose(Watch<Pair>& watched);
     template <class Pair>
-    void push(std::span<const Vec3> x, std::span<const Vec3> v, double dt, Watch<Pair>& watched, std::span<Vec3> forces,
-              ContactResponse& response) const;
+    void set_pushes(std::span<const Vec3> x, std::span<const Vec3> v, double dt, std::span<const Pushing<Pair>> pushing,
+                    Push* pushes) const;
+    template <class Pair>
+    Push push_of(const Pushing<Pair>& pushing, const ClosestPoints& points, std::span<const Vec3> v, double dt) const;
 
     SurfaceParts parts_;
     std::vector<double> masses_;
@@ -102,6 +106,7 @@ class SurfaceContact
     Candidates candidates_;
     Watch<VertexTriangle> vertices_;
     Watch<EdgeEdge> edge_pairs_;
+    std::vector<Push> pushes_;
     std::vector<Vec3> listed_at_; ///< positions the candidates were found at
     std::vector<double> reach_;   ///< how far each vertex may be from there before they are found anew [mm]
     std::vector<Vec3> last_x_;

@@ -54,13 +54,42 @@ double loading_time(const Body& body, const Options& options)
     return options.dynamics.loading_time * radius / wave_speed(options.tissue);
 }
 
+std::vector<std::int32_t> sorted(std::vector<std::int32_t> numbers)
+{
+    std::ranges::sort(numbers);
+    return numbers;
+}
+
+/// Contact of the body's surface, whose vertices are numbered as in `particles`.
+SurfaceContact contact_of(const Body& body, std::span<const std::int32_t> particles, std::span<const double> masses,
+                          const ContactOptions& options)
+{
+    const auto vertex_of = [&](std::int32_t vertex)
+    {
+        const std::int32_t particle = body.cloud.surface_particles[static_cast<std::size_t>(vertex)];
+        return static_cast<std::int32_t>(std::ranges::lower_bound(particles, particle) - particles.begin());
+    };
+    std::vector<Triangle> triangles;
+    triangles.reserve(body.cloud.surface_triangles.size());
+    for (const auto& [a, b, c] : body.cloud.surface_triangles)
+    {
+        triangles.push_back({vertex_of(a), vertex_of(b), vertex_of(c)});
+    }
+    std::vector<Vec3> rest(particles.size());
+    for (std::int32_t vertex = 0; vertex < std::ssize(rest); ++vertex)
+    {
+        rest[static_cast<std::size_t>(vertex_of(vertex))] = body.surface.vertices[static_cast<std::size_t>(vertex)];
+    }
+    return {triangles, rest, gather(masses, particles), body.cloud.spacing, options};
+}
+
 } // namespace
 
 Simulation::Simulation(Body& body, const Options& options)
     : body_(body), options_(options), solver_(make_discretization(body, options)), mass_(body.cloud.volumes),
-      contact_(body.cloud.surface_triangles, body.surface.vertices, gather(mass_, body.cloud.surface_particles),
-               body.cloud.spacing, options.contact),
-      total_time_(loading_time(body, options)), damping_(options.dynamics.damping / total_time_),
+      contact_particles_(sorted(body.cloud.surface_particles)),
+      contact_(contact_of(body, contact_particles_, mass_, options.contact)), total_time_(loading_time(body, options)),
+      damping_(options.dynamics.damping / total_time_),
       travel_limit_(mass_.size(), std::numeric_limits<double>::infinity())
 {
     State start;
@@ -98,17 +127,17 @@ InternalResponse Simulation::internal_forces(Motion& motion, double t)
 void Simulation::add_contact(Motion& motion)
 {
     const Stopwatch watch(seconds_.contact);
-    const auto& surface = body_.cloud.surface_particles;
-    gather(motion.x, surface, surface_x_);
-    gather(motion.v, surface, surface_v_);
-    surface_force_.assign(surface.size(), Vec3{});
-    contact_response_ = contact_.evaluate(surface_x_, surface_v_, critical_dt_, surface_force_);
+    const std::vector<std::int32_t>& particles = contact_particles_;
+    gather(motion.x, particles, contact_x_);
+    gather(motion.v, particles, contact_v_);
+    contact_force_.assign(particles.size(), Vec3{});
+    contact_response_ = contact_.evaluate(contact_x_, contact_v_, critical_dt_, contact_force_);
     const std::span<const double> limit = contact_.travel_limit();
-    parallel_for(std::ssize(surface),
+    parallel_for(std::ssize(particles),
                  [&](std::int64_t k)
                  {
-                     motion.force[surface[k]] += surface_force_[k];
-                     travel_limit_[surface[k]] = limit[k];
+                     motion.force[particles[k]] += contact_force_[k];
+                     travel_limit_[particles[k]] = limit[k];
                  });
 }
 

@@ -60,7 +60,8 @@ class Simulation
     Body& body_;
     const Options& options_;
     std::unique_ptr<Discretization> solver_;
-    std::vector<double> mass_; ///< density 1 [mm³]
+    std::vector<double> mass_;                    ///< density 1 [mm³]
+    std::vector<std::int32_t> contact_particles_; ///< of the surface, ascending: neighbours stand near each other
     SurfaceContact contact_;
     double total_time_; ///< T, time of t = 0..1
     double damping_;    ///< gamma
@@ -72,9 +73,9 @@ class Simulation
     RungeKutta4 runge_kutta_;
     double critical_dt_ = 0.0;
     std::vector<double> travel_limit_; ///< per particle
-    std::vector<Vec3> surface_x_;
-    std::vector<Vec3> surface_v_;
-    std::vector<Vec3> surface_force_;
+    std::vector<Vec3> contact_x_;
+    std::vector<Vec3> contact_v_;
+    std::vector<Vec3> contact_force_;
     StepSeconds seconds_;
 };
 
