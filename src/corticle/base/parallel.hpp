@@ -48,33 +48,65 @@ inline int thread_number()
 #endif
 }
 
+/// Which thread takes which blocks: whichever is free, or each an equal run of them. Runs suit short loops over the
+/// same items again and again: a thread finds in its cache what it left there.
+enum class Sharing
+{
+    on_demand,
+    in_runs
+};
+
 /// Calls body(begin, end) for consecutive blocks of [0, count); blocks run concurrently, in any order. Where an item
 /// takes long, smaller blocks give each thread its part. The body must not throw.
 template <class Body>
-void parallel_blocks(std::int64_t count, Body&& body, std::int64_t block_size = parallel_block)
+void parallel_blocks(std::int64_t count, Body&& body, std::int64_t block_size = parallel_block,
+                     Sharing sharing = Sharing::on_demand)
 {
     const std::int64_t blocks = (count + block_size - 1) / block_size;
+    const auto run = [&](std::int64_t block)
+    {
+        const std::int64_t begin = block * block_size;
+        body(begin, std::min(begin + block_size, count));
+    };
+    if (sharing == Sharing::in_runs)
+    {
+#pragma omp parallel for schedule(static) if (blocks > 1)
+        for (std::int64_t block = 0; block < blocks; ++block)
+        {
+            run(block);
+        }
+        return;
+    }
     const std::int64_t chunk = block_size == parallel_block ? 2 : 1;
 #pragma omp parallel for schedule(dynamic, chunk) if (blocks > 1)
     for (std::int64_t block = 0; block < blocks; ++block)
     {
-        const std::int64_t begin = block * block_size;
-        body(begin, std::min(begin + block_size, count));
+        run(block);
     }
 }
 
 /// Calls body(i) for every i of [0, count), concurrently. The body must not throw.
 template <class Body>
-void parallel_for(std::int64_t count, Body&& body)
+void parallel_for(std::int64_t count, Body&& body, Sharing sharing = Sharing::on_demand)
 {
-    parallel_blocks(count,
-                    [&](std::int64_t begin, std::int64_t end)
-                    {
-                        for (std::int64_t i = begin; i < end; ++i)
-                        {
-                            body(i);
-                        }
-                    });
+    parallel_blocks(
+        count,
+        [&](std::int64_t begin, std::int64_t end)
+        {
+            for (std::int64_t i = begin; i < end; ++i)
+            {
+                body(i);
+            }
+        },
+        parallel_block, sharing);
+}
+
+/// Calls both concurrently. They must not throw.
+template <class First, class Second>
+void parallel_both(First&& first, Second&& second)
+{
+    parallel_blocks(
+        2, [&](std::int64_t which, std::int64_t) { which == 0 ? first() : second(); }, 1);
 }
 
 /// One T for every thread, for scratch memory that outlives a loop.
@@ -95,7 +127,7 @@ class PerThread
 /// The result does not depend on the number of threads.
 template <class T, class BlockValue, class Join>
 T parallel_reduce(std::int64_t count, T initial, BlockValue&& block_value, Join&& join,
-                  std::int64_t block_size = parallel_block)
+                  std::int64_t block_size = parallel_block, Sharing sharing = Sharing::on_demand)
 {
     static_assert(!std::same_as<T, bool>, "the elements of vector<bool> share bytes, which threads may not");
     const std::int64_t blocks = (count + block_size - 1) / block_size;
@@ -104,7 +136,7 @@ T parallel_reduce(std::int64_t count, T initial, BlockValue&& block_value, Join&
         count,
         [&](std::int64_t begin, std::int64_t end)
         { partial[static_cast<std::size_t>(begin / block_size)] = block_value(begin, end); },
-        block_size);
+        block_size, sharing);
     T result = initial;
     for (const T& value : partial)
     {
@@ -115,12 +147,13 @@ T parallel_reduce(std::int64_t count, T initial, BlockValue&& block_value, Join&
 
 /// Sets `all` to what blocks append concurrently, in the order of the blocks: `append(begin, end, part)`.
 template <class T, class Append>
-void parallel_list(std::int64_t count, std::vector<T>& all, Append&& append, std::int64_t block_size = parallel_block)
+void parallel_list(std::int64_t count, std::vector<T>& all, Append&& append, std::int64_t block_size = parallel_block,
+                   Sharing sharing = Sharing::on_demand)
 {
     std::vector<std::vector<T>> parts(static_cast<std::size_t>((count + block_size - 1) / block_size));
     parallel_blocks(
-        count, [&](std::int64_t begin, std::int64_t end) { append(begin, end, parts[begin / block_size]); },
-        block_size);
+        count, [&](std::int64_t begin, std::int64_t end) { append(begin, end, parts[begin / block_size]); }, block_size,
+        sharing);
     std::vector<std::ptrdiff_t> first{0};
     for (const std::vector<T>& part : parts)
     {
@@ -137,7 +170,7 @@ void parallel_list(std::int64_t count, std::vector<T>& all, Append&& append, std
                 std::copy(parts[k].begin(), parts[k].end(), all.begin() + first[k]);
             }
         },
-        parts_at_a_time);
+        parts_at_a_time, sharing);
 }
 
 /// sum_i value(i), in a fixed order.

@@ -3,7 +3,9 @@
 
 #include "corticle/base/parallel.hpp"
 
+#include <algorithm>
 #include <array>
+#include <functional>
 #include <limits>
 
 namespace corticle
@@ -53,6 +55,8 @@ SurfaceContact::SurfaceContact(std::span<const Triangle> triangles, std::span<co
     refresh_candidates(rest, std::vector<Vec3>(rest.size()), 0.0);
     vertices_.gap.assign(rest.size(), dhat_);
     vertices_.least.resize(rest.size() + parts_.triangles().size());
+    vertices_.travel_limit.resize(rest.size());
+    edge_pairs_.travel_limit.resize(rest.size());
     edge_pairs_.gap.assign(parts_.edges().size(), dhat_);
     edge_pairs_.least.resize(parts_.edges().size());
     set_gaps<VertexTriangle>(candidates_.vertex_triangle, vertices_);
@@ -108,39 +112,42 @@ template <class Pair>
 void SurfaceContact::watch(std::span<const Pair> pairs, Watch<Pair>& watched) const
 {
     watched.due.resize(pairs.size());
-    parallel_for(std::ssize(pairs),
-                 [&](std::int64_t k) { watched.due[k] = path_of(pairs[k]) + pairs[k].distance - dhat_; });
+    parallel_for(
+        std::ssize(pairs), [&](std::int64_t k) { watched.due[k] = path_of(pairs[k]) + pairs[k].distance - dhat_; },
+        Sharing::in_runs);
 }
 
 template <class Pair>
 void SurfaceContact::measure_due(std::span<const Vec3> x, std::span<const Pair> pairs, Watch<Pair>& watched) const
 {
     const double rounding = 1e-9 * dhat_; // more than additions round off
-    parallel_list(std::ssize(pairs), watched.near,
-                  [&](std::int64_t begin, std::int64_t end, std::vector<Pair>& near)
-                  {
-                      std::array<std::int64_t, parallel_block> places;
-                      std::size_t count = 0;
-                      for (std::int64_t k = begin; k < end; ++k)
-                      {
-                          places[count] = k;
-                          count += watched.due[k] < path_of(pairs[k]) + rounding ? 1 : 0;
-                      }
-                      near.resize(count);
-                      for (std::size_t m = 0; m < count; ++m)
-                      {
-                          near[m] = pairs[places[m]];
-                      }
-                      parts_.measure(x, near);
-                      std::size_t kept = 0;
-                      for (std::size_t m = 0; m < count; ++m)
-                      {
-                          watched.due[places[m]] = path_of(near[m]) + near[m].distance - dhat_;
-                          near[kept] = near[m];
-                          kept += near[m].distance < dhat_ ? 1 : 0;
-                      }
-                      near.resize(kept);
-                  });
+    parallel_list(
+        std::ssize(pairs), watched.near,
+        [&](std::int64_t begin, std::int64_t end, std::vector<Pair>& near)
+        {
+            std::array<std::int64_t, parallel_block> places;
+            std::size_t count = 0;
+            for (std::int64_t k = begin; k < end; ++k)
+            {
+                places[count] = k;
+                count += watched.due[k] < path_of(pairs[k]) + rounding ? 1 : 0;
+            }
+            near.resize(count);
+            for (std::size_t m = 0; m < count; ++m)
+            {
+                near[m] = pairs[places[m]];
+            }
+            parts_.measure(x, near);
+            std::size_t kept = 0;
+            for (std::size_t m = 0; m < count; ++m)
+            {
+                watched.due[places[m]] = path_of(near[m]) + near[m].distance - dhat_;
+                near[kept] = near[m];
+                kept += near[m].distance < dhat_ ? 1 : 0;
+            }
+            near.resize(kept);
+        },
+        parallel_block, Sharing::in_runs);
 }
 
 /// Notes how far the vertices have moved, and says whether one of them has left its reach.
@@ -160,19 +167,23 @@ bool SurfaceContact::follow(std::span<const Vec3> x)
             }
             return outside;
         },
-        [](std::int64_t& total, std::int64_t part) { total += part; });
-    parallel_for(std::ssize(parts_.triangles()),
-                 [&](std::int64_t k)
-                 {
-                     const Triangle& corner = parts_.triangles()[static_cast<std::size_t>(k)];
-                     triangle_path_[k] += std::max({step_[corner[0]], step_[corner[1]], step_[corner[2]]});
-                 });
-    parallel_for(std::ssize(parts_.edges()),
-                 [&](std::int64_t k)
-                 {
-                     const Edge& end = parts_.edges()[static_cast<std::size_t>(k)];
-                     edge_path_[k] += std::max(step_[end[0]], step_[end[1]]);
-                 });
+        [](std::int64_t& total, std::int64_t part) { total += part; }, parallel_block, Sharing::in_runs);
+    parallel_for(
+        std::ssize(parts_.triangles()),
+        [&](std::int64_t k)
+        {
+            const Triangle& corner = parts_.triangles()[static_cast<std::size_t>(k)];
+            triangle_path_[k] += std::max({step_[corner[0]], step_[corner[1]], step_[corner[2]]});
+        },
+        Sharing::in_runs);
+    parallel_for(
+        std::ssize(parts_.edges()),
+        [&](std::int64_t k)
+        {
+            const Edge& end = parts_.edges()[static_cast<std::size_t>(k)];
+            edge_path_[k] += std::max(step_[end[0]], step_[end[1]]);
+        },
+        Sharing::in_runs);
     return left > 0;
 }
 
@@ -193,21 +204,13 @@ void SurfaceContact::refresh_candidates(std::span<const Vec3> x, std::span<const
     last_x_ = listed_at_;
 }
 
-void SurfaceContact::limit_travel(const std::array<std::int32_t, 4>& vertex, double distance)
-{
-    for (const std::int32_t k : vertex)
-    {
-        double& limit = travel_limit_[static_cast<std::size_t>(k)];
-        limit = std::min(limit, travel_share * distance);
-    }
-}
-
 /// Of the triangles near a vertex the closest pushes; two edges push each other that are each other's closest. Of
 /// several as close it is the first.
 template <class Pair>
-void SurfaceContact::choose(Watch<Pair>& watched)
+void SurfaceContact::choose(Watch<Pair>& watched) const
 {
     constexpr double taken = -1.0;
+    std::ranges::fill(watched.travel_limit, travel_share * dhat_);
     std::ranges::fill(watched.least, std::numeric_limits<double>::infinity());
     for (const Pair& pair : watched.near)
     {
@@ -225,18 +228,24 @@ void SurfaceContact::choose(Watch<Pair>& watched)
         {
             continue;
         }
-        limit_travel(vertices_of(pair), pair.distance);
-        double gap = dhat_;
-        bool may_push = true;
-        const auto owners = owners_of(pair);
-        for (std::size_t k = 0; k < owners.size(); ++k)
+        for (const std::int32_t vertex : vertices_of(pair))
         {
-            gap = std::min(gap, watched.gap[owners[k]]);
-            may_push = may_push && is_closest[k];
+            double& limit = watched.travel_limit[vertex];
+            limit = std::min(limit, travel_share * pair.distance);
         }
-        if (may_push && pair.distance < gap)
+        const auto owners = owners_of(pair);
+        const std::span closest_of_owners = std::span(is_closest).first(owners.size());
+        if (std::ranges::all_of(closest_of_owners, std::identity{}))
         {
-            watched.pushing.push_back({pair, gap});
+            double gap = dhat_;
+            for (const std::int32_t owner : owners)
+            {
+                gap = std::min(gap, watched.gap[owner]);
+            }
+            if (pair.distance < gap)
+            {
+                watched.pushing.push_back({pair, gap});
+            }
         }
         for (std::size_t k = 0; k < 2; ++k)
         {
@@ -295,21 +304,23 @@ void SurfaceContact::set_pushes(std::span<const Vec3> x, std::span<const Vec3> v
                 pushes[begin + m] = push_of(pushing[begin + m], points[m], v, dt);
             }
         },
-        pairs_at_a_time);
+        pairs_at_a_time, Sharing::in_runs);
 }
 
 ContactResponse SurfaceContact::evaluate(std::span<const Vec3> x, std::span<const Vec3> v, double dt,
                                          std::span<Vec3> forces)
 {
     refresh_candidates(x, v, dt);
-    std::fill(travel_limit_.begin(), travel_limit_.end(), travel_share * dhat_);
     measure_due<VertexTriangle>(x, candidates_.vertex_triangle, vertices_);
     measure_due<EdgeEdge>(x, candidates_.edge_edge, edge_pairs_);
-    choose(vertices_);
-    choose(edge_pairs_);
+    parallel_both([&] { choose(vertices_); }, [&] { choose(edge_pairs_); });
     pushes_.resize(vertices_.pushing.size() + edge_pairs_.pushing.size());
     set_pushes<VertexTriangle>(x, v, dt, vertices_.pushing, pushes_.data());
     set_pushes<EdgeEdge>(x, v, dt, edge_pairs_.pushing, pushes_.data() + vertices_.pushing.size());
+    parallel_for(
+        std::ssize(travel_limit_),
+        [&](std::int64_t k) { travel_limit_[k] = std::min(vertices_.travel_limit[k], edge_pairs_.travel_limit[k]); },
+        Sharing::in_runs);
     ContactResponse response;
     for (const Push& push : pushes_)
     {

@@ -71,6 +71,7 @@ class SurfaceContact
         std::vector<double> due;   ///< path at which each candidate may be near [mm]
         std::vector<Pair> near;    ///< in the order of the candidates, with their distance now
         std::vector<double> least; ///< of every part, the distance of its closest near pair; -1 once that is found [mm]
+        std::vector<double> travel_limit;   ///< that the near pairs set to each vertex [mm]
         std::vector<Pushing<Pair>> pushing; ///< those of the near pairs that may push
     };
     std::array<std::int32_t, 4> vertices_of(const VertexTriangle& pair) const;
@@ -83,13 +84,12 @@ class SurfaceContact
     void watch(std::span<const Pair> pairs, Watch<Pair>& watched) const;
     template <class Pair>
     void measure_due(std::span<const Vec3> x, std::span<const Pair> pairs, Watch<Pair>& watched) const;
-    void limit_travel(const std::array<std::int32_t, 4>& vertex, double distance);
     double path_of(const VertexTriangle& pair) const;
     double path_of(const EdgeEdge& pair) const;
     bool follow(std::span<const Vec3> x);
     void refresh_candidates(std::span<const Vec3> x, std::span<const Vec3> v, double dt);
     template <class Pair>
-    void choose(Watch<Pair>& watched);
+    void choose(Watch<Pair>& watched) const;
     template <class Pair>
     void set_pushes(std::span<const Vec3> x, std::span<const Vec3> v, double dt, std::span<const Pushing<Pair>> pushing,
                     Push* pushes) const;

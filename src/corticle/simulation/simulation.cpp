@@ -40,7 +40,8 @@ std::vector<double> gather(std::span<const double> values, std::span<const std::
 void gather(std::span<const Vec3> values, std::span<const std::int32_t> at, std::vector<Vec3>& result)
 {
     result.resize(at.size());
-    parallel_for(std::ssize(at), [&](std::int64_t k) { result[k] = values[at[k]]; });
+    parallel_for(
+        std::ssize(at), [&](std::int64_t k) { result[k] = values[at[k]]; }, Sharing::in_runs);
 }
 
 double loading_time(const Body& body, const Options& options)
@@ -133,12 +134,14 @@ void Simulation::add_contact(Motion& motion)
     contact_force_.assign(particles.size(), Vec3{});
     contact_response_ = contact_.evaluate(contact_x_, contact_v_, critical_dt_, contact_force_);
     const std::span<const double> limit = contact_.travel_limit();
-    parallel_for(std::ssize(particles),
-                 [&](std::int64_t k)
-                 {
-                     motion.force[particles[k]] += contact_force_[k];
-                     travel_limit_[particles[k]] = limit[k];
-                 });
+    parallel_for(
+        std::ssize(particles),
+        [&](std::int64_t k)
+        {
+            motion.force[particles[k]] += contact_force_[k];
+            travel_limit_[particles[k]] = limit[k];
+        },
+        Sharing::in_runs);
 }
 
 /// Forces, energies and limits at a motion's positions; false when the positions are invalid.
