@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "corticle/base/box.hpp"
 #include "corticle/base/parallel.hpp"
-#include "corticle/base/vec3.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,12 +12,6 @@
 
 namespace corticle
 {
-
-struct Box
-{
-    Vec3 low;
-    Vec3 high;
-};
 
 /// Two boxes that overlap.
 struct BoxPair

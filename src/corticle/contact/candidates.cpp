@@ -239,24 +239,21 @@ void SurfaceParts::enclose(std::span<const Part> parts, std::span<const Vec3> x,
                            std::span<const double> reach, Searched& searched)
 {
     searched.reach.resize(parts.size());
-    searched.boxes.set(
-        std::ssize(parts),
-        [&](std::int64_t k)
-        {
-            const Part& part = parts[static_cast<std::size_t>(k)];
-            Box box{at(x, part[0]), at(x, part[0])};
-            double largest = 0.0;
-            for (const std::int32_t vertex : part)
-            {
-                const Vec3 p = at(x, vertex);
-                box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
-                box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
-                largest = std::max(largest, reach[static_cast<std::size_t>(vertex)]);
-            }
-            searched.reach[static_cast<std::size_t>(k)] = largest;
-            const double wide = 0.5 * range + largest;
-            return Box{box.low - Vec3{wide, wide, wide}, box.high + Vec3{wide, wide, wide}};
-        });
+    searched.boxes.set(std::ssize(parts),
+                       [&](std::int64_t k)
+                       {
+                           const Part& part = parts[static_cast<std::size_t>(k)];
+                           Box box;
+                           double largest = 0.0;
+                           for (const std::int32_t vertex : part)
+                           {
+                               box.include(at(x, vertex));
+                               largest = std::max(largest, reach[static_cast<std::size_t>(vertex)]);
+                           }
+                           searched.reach[static_cast<std::size_t>(k)] = largest;
+                           const double wide = 0.5 * range + largest;
+                           return Box{box.low - Vec3{wide, wide, wide}, box.high + Vec3{wide, wide, wide}};
+                       });
 }
 
 void SurfaceParts::find_candidates(std::span<const Vec3> x, double range, std::span<const double> reach,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/geometry/surface_tree.hpp"
 
+#include "corticle/base/box.hpp"
 #include "corticle/geometry/triangle_tests.hpp"
 
 #include <algorithm>
@@ -17,15 +18,6 @@ namespace
 constexpr std::int32_t leaf_size = 4;
 // The tree halves its ranges, so it is never deeper than 32 levels and a walk never holds more nodes than that.
 constexpr int stack_size = 64;
-
-Vec3 minimum(const Vec3& a, const Vec3& b)
-{
-    return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
-}
-Vec3 maximum(const Vec3& a, const Vec3& b)
-{
-    return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
-}
 
 double squared_distance_to_box(const Vec3& p, const Vec3& low, const Vec3& high)
 {
@@ -115,30 +107,25 @@ void SurfaceTree::build()
 
 void SurfaceTree::split(std::int32_t node, std::span<const Vec3> centres)
 {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     const std::int32_t first = nodes_[node].first;
     const std::int32_t count = nodes_[node].count;
-    Vec3 low{infinity, infinity, infinity};
-    Vec3 high = -low;
-    Vec3 centre_low = low;
-    Vec3 centre_high = high;
+    Box around;
+    Box around_centres;
     for (std::int32_t k = first; k < first + count; ++k)
     {
         for (const std::int32_t vertex : mesh_.triangles[order_[k]])
         {
-            low = minimum(low, mesh_.vertices[vertex]);
-            high = maximum(high, mesh_.vertices[vertex]);
+            around.include(mesh_.vertices[vertex]);
         }
-        centre_low = minimum(centre_low, centres[order_[k]]);
-        centre_high = maximum(centre_high, centres[order_[k]]);
+        around_centres.include(centres[order_[k]]);
     }
-    nodes_[node].low = low;
-    nodes_[node].high = high;
+    nodes_[node].low = around.low;
+    nodes_[node].high = around.high;
     if (count <= leaf_size)
     {
         return;
     }
-    const Vec3 extent = centre_high - centre_low;
+    const Vec3 extent = around_centres.size();
     const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : (extent.y >= extent.z ? 1 : 2);
     const std::int32_t half = count / 2;
     const auto begin = order_.begin() + first;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/base/box.hpp"
 #include "corticle/io/color_map.hpp"
 #include "corticle/io/display.hpp"
 #include "corticle/io/material_section.hpp"
@@ -32,31 +33,10 @@ constexpr int left_panel = 5;
 constexpr int right_panel = 800;
 constexpr int bar_gap = 10;
 
-struct Box
-{
-    Vec3 low;
-    Vec3 high;
-};
-
-Box bounding_box(std::span<const Vec3> points)
-{
-    Box box{points.front(), points.front()};
-    for (const Vec3& point : points)
-    {
-        for (int axis = 0; axis < 3; ++axis)
-        {
-            box.low[axis] = std::min(box.low[axis], point[axis]);
-            box.high[axis] = std::max(box.high[axis], point[axis]);
-        }
-    }
-    return box;
-}
-
 /// Half of the width of a panel that the section fits [mm].
 double fitting_half_width(const CutInput& input)
 {
-    const Box box = bounding_box(input.surface_points);
-    const Vec3 size = box.high - box.low;
+    const Vec3 size = bounding_box(input.surface_points).size();
     const Plane plane{input.axis, input.coordinate};
     return 0.51 * std::max(size[plane.right()], size[plane.up()]);
 }
@@ -64,8 +44,7 @@ double fitting_half_width(const CutInput& input)
 /// The pixels of a panel, centred on the surface.
 PixelGrid pixel_grid(std::span<const Vec3> points, const Plane& plane, double half_width)
 {
-    const Box box = bounding_box(points);
-    const Vec3 center = 0.5 * (box.low + box.high);
+    const Vec3 center = bounding_box(points).center();
     const double shown = std::max(half_width, std::numeric_limits<double>::min());
     const double pixel = 2.0 * shown / panel_width;
     return {panel_width, panel_height, center[plane.right()] - shown, center[plane.up()] - 0.5 * pixel * panel_height,

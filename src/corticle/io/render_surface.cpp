@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/base/box.hpp"
 #include "corticle/io/display.hpp"
 #include "corticle/io/picture_window.hpp"
 #include "corticle/io/pictures.hpp"
@@ -61,30 +62,6 @@ struct View
 
 constexpr std::array<View, 2> views{
     {{{0, 0, 1}, {0, 1, 0}, "from above (+z)"}, {{1, 0, 0}, {0, 0, 1}, "from the right (+x)"}}};
-
-struct Box
-{
-    Vec3 low;
-    Vec3 high;
-
-    Vec3 center() const { return 0.5 * (low + high); }
-    /// Half of the longest edge [mm].
-    double half_width() const { return 0.5 * std::max({high.x - low.x, high.y - low.y, high.z - low.z}); }
-};
-
-Box bounding_box(std::span<const Vec3> points)
-{
-    Box box{points.front(), points.front()};
-    for (const Vec3& point : points)
-    {
-        for (int axis = 0; axis < 3; ++axis)
-        {
-            box.low[axis] = std::min(box.low[axis], point[axis]);
-            box.high[axis] = std::max(box.high[axis], point[axis]);
-        }
-    }
-    return box;
-}
 
 vtkNew<vtkPolyData> polydata_of(std::span<const Vec3> points, std::span<const Triangle> triangles)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/metrics/surface_measures.hpp"
 
+#include "corticle/base/box.hpp"
 #include "corticle/base/parallel.hpp"
 #include "corticle/geometry/hull.hpp"
 #include "corticle/geometry/triangle_tests.hpp"
@@ -26,18 +27,6 @@ constexpr std::array columns{
     SizeColumn{"width_mm", "mm", &SurfaceMeasures::width_mm},
     SizeColumn{"height_mm", "mm", &SurfaceMeasures::height_mm},
 };
-
-Vec3 extent(std::span<const Vec3> points)
-{
-    Vec3 low = points.front();
-    Vec3 high = points.front();
-    for (const Vec3& x : points)
-    {
-        low = {std::min(low.x, x.x), std::min(low.y, x.y), std::min(low.z, x.z)};
-        high = {std::max(high.x, x.x), std::max(high.y, x.y), std::max(high.z, x.z)};
-    }
-    return high - low;
-}
 
 Vec3 area_vector(const TriangleMesh& mesh, const Triangle& corner)
 {
@@ -84,7 +73,7 @@ SurfaceMeasures measure_surface(std::span<const Vec3> vertices, std::span<const 
     m.hull_area_mm2 = surface_area(hull.vertices, hull.triangles);
     m.gi_hull = m.area_mm2 / m.hull_area_mm2;
     m.gi_sphere = sphere_index(m.area_mm2, m.volume_mm3);
-    const Vec3 size = extent(vertices);
+    const Vec3 size = bounding_box(vertices).size();
     m.length_mm = size.y;
     m.width_mm = size.x;
     m.height_mm = size.z;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/tissue/ellipsoid.hpp"
 
+#include "corticle/base/box.hpp"
 #include "corticle/base/error.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 
 namespace corticle
 {
@@ -13,44 +13,29 @@ namespace corticle
 namespace
 {
 
-struct Extents
-{
-    Vec3 low, high;
-};
-
-Extents extents(std::span<const Vec3> points)
+Box box_of(std::span<const Vec3> points)
 {
     if (points.empty())
     {
         throw InputError("layer: an ellipsoid fitted to particles; got no particles, expected at least two");
     }
-    Extents box{points[0], points[0]};
-    for (const Vec3& p : points)
-    {
-        for (int axis = 0; axis < 3; ++axis)
-        {
-            box.low[axis] = std::min(box.low[axis], p[axis]);
-            box.high[axis] = std::max(box.high[axis], p[axis]);
-        }
-    }
-    return box;
+    return bounding_box(points);
 }
 
 } // namespace
 
 Vec3 extents_centre(std::span<const Vec3> points)
 {
-    const Extents box = extents(points);
-    return 0.5 * (box.low + box.high);
+    return box_of(points).center();
 }
 
 std::array<double, 3> fitted_semi_axes(std::span<const Vec3> points)
 {
-    const Extents box = extents(points);
+    const Vec3 size = box_of(points).size();
     std::array<double, 3> semi_axes{};
     for (int axis = 0; axis < 3; ++axis)
     {
-        semi_axes[axis] = 0.5 * (box.high[axis] - box.low[axis]);
+        semi_axes[axis] = 0.5 * size[axis];
         if (!(semi_axes[axis] > 0.0))
         {
             throw InputError(fmt::format("layer: an ellipsoid fitted to {} particles: got an extent of {} mm along {}; "
