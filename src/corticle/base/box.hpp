@@ -25,8 +25,14 @@ struct Box
     }
     Vec3 center() const { return 0.5 * (low + high); }
     Vec3 size() const { return high - low; }
+    /// Axis of the longest edge, the first of several as long.
+    int longest_axis() const
+    {
+        const Vec3 edge = size();
+        return edge.x >= edge.y && edge.x >= edge.z ? 0 : (edge.y >= edge.z ? 1 : 2);
+    }
     /// Half of the longest edge [mm].
-    double half_width() const { return 0.5 * std::max({size().x, size().y, size().z}); }
+    double half_width() const { return 0.5 * size()[longest_axis()]; }
 };
 
 /// The smallest box around points [mm].

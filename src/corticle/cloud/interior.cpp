@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/cloud/interior.hpp"
 
+#include "corticle/base/box.hpp"
 #include "corticle/base/parallel.hpp"
 #include "corticle/geometry/random.hpp"
 #include "corticle/geometry/repulsion.hpp"
@@ -47,17 +48,11 @@ struct Lattice
 
 Lattice lattice_over(const std::vector<Vec3>& vertices, double width)
 {
-    Vec3 low = vertices[0];
-    Vec3 high = vertices[0];
-    for (const Vec3& p : vertices)
-    {
-        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-    }
-    Lattice lattice{low, width, {}};
+    const Box box = bounding_box(vertices);
+    Lattice lattice{box.low, width, {}};
     for (int axis = 0; axis < 3; ++axis)
     {
-        lattice.cells[axis] = static_cast<std::int64_t>((high[axis] - low[axis]) / width) + 1;
+        lattice.cells[axis] = static_cast<std::int64_t>(box.size()[axis] / width) + 1;
     }
     return lattice;
 }

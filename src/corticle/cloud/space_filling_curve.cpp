@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/cloud/space_filling_curve.hpp"
 
+#include "corticle/base/box.hpp"
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -60,19 +62,13 @@ std::vector<std::int32_t> hilbert_order(std::span<const Vec3> points)
     {
         return {};
     }
-    Vec3 low = points[0];
-    Vec3 high = points[0];
-    for (const Vec3& p : points)
-    {
-        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-    }
-    const double side = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+    const Box box = bounding_box(points);
+    const double side = box.size()[box.longest_axis()];
     const double steps = side > 0.0 ? static_cast<double>((1u << bits) - 1) / side : 0.0;
     std::vector<std::pair<std::uint64_t, std::int32_t>> keys(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
     {
-        const Vec3 p = steps * (points[i] - low);
+        const Vec3 p = steps * (points[i] - box.low);
         keys[i] = {hilbert_key(static_cast<std::uint32_t>(p.x), static_cast<std::uint32_t>(p.y),
                                static_cast<std::uint32_t>(p.z)),
                    static_cast<std::int32_t>(i)};

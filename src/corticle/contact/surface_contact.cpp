@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <limits>
 
 namespace corticle
@@ -233,9 +232,8 @@ void SurfaceContact::choose(Watch<Pair>& watched) const
             double& limit = watched.travel_limit[vertex];
             limit = std::min(limit, travel_share * pair.distance);
         }
-        const auto owners = owners_of(pair);
-        const std::span closest_of_owners = std::span(is_closest).first(owners.size());
-        if (std::ranges::all_of(closest_of_owners, std::identity{}))
+        const auto owners = owners_of(pair); // the first part, or both
+        if (is_closest[0] && is_closest[owners.size() - 1])
         {
             double gap = dhat_;
             for (const std::int32_t owner : owners)

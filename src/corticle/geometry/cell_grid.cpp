@@ -1,24 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/geometry/cell_grid.hpp"
 
+#include "corticle/base/box.hpp"
+
 namespace corticle
 {
 
 CellGrid::CellGrid(std::span<const Vec3> points, double cell_size) : cell_size_(cell_size)
 {
-    Vec3 high;
-    if (!points.empty())
-    {
-        low_ = high = points[0];
-    }
-    for (const Vec3& p : points)
-    {
-        low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y), std::min(low_.z, p.z)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-    }
+    const Box box = points.empty() ? Box{{}, {}} : bounding_box(points);
+    low_ = box.low;
     // More cells than this only cost memory: most would be empty.
     const double most_cells = 16.0 * static_cast<double>(points.size()) + 4096.0;
-    const auto cells_along = [&](int axis) { return std::floor((high[axis] - low_[axis]) / cell_size_) + 1.0; };
+    const auto cells_along = [&](int axis) { return std::floor(box.size()[axis] / cell_size_) + 1.0; };
     while (cells_along(0) * cells_along(1) * cells_along(2) > most_cells)
     {
         cell_size_ *= 1.2;

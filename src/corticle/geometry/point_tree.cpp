@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/geometry/point_tree.hpp"
 
+#include "corticle/base/box.hpp"
+
 #include <algorithm>
 
 namespace corticle
@@ -8,22 +10,6 @@ namespace corticle
 
 namespace
 {
-
-int longest_axis(std::span<const Vec3> points)
-{
-    Vec3 low = points[0];
-    Vec3 high = points[0];
-    for (const Vec3& p : points)
-    {
-        for (int axis = 0; axis < 3; ++axis)
-        {
-            low[axis] = std::min(low[axis], p[axis]);
-            high[axis] = std::max(high[axis], p[axis]);
-        }
-    }
-    const Vec3 size = high - low;
-    return size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
-}
 
 /// Puts a value into an ascending list and drops the largest.
 void insert(std::span<double> ascending, double value)
@@ -57,7 +43,7 @@ void PointTree::build(std::int64_t begin, std::int64_t end)
         return;
     }
     const std::int64_t middle = begin + (end - begin) / 2;
-    const int axis = longest_axis(std::span(points_).subspan(begin, end - begin));
+    const int axis = bounding_box(std::span(points_).subspan(begin, end - begin)).longest_axis();
     std::nth_element(points_.begin() + begin, points_.begin() + middle, points_.begin() + end,
                      [axis](const Vec3& a, const Vec3& b) { return a[axis] < b[axis]; });
     axis_[middle] = static_cast<std::uint8_t>(axis);

@@ -125,8 +125,7 @@ void SurfaceTree::split(std::int32_t node, std::span<const Vec3> centres)
     {
         return;
     }
-    const Vec3 extent = around_centres.size();
-    const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : (extent.y >= extent.z ? 1 : 2);
+    const int axis = around_centres.longest_axis();
     const std::int32_t half = count / 2;
     const auto begin = order_.begin() + first;
     std::nth_element(begin, begin + half, begin + count,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/imaging/surface_from_labels.hpp"
 
+#include "corticle/base/box.hpp"
 #include "corticle/base/error.hpp"
 #include "corticle/geometry/self_intersections.hpp"
 #include "corticle/imaging/handles.hpp"
@@ -251,17 +252,7 @@ class SurfaceBuilder
 
     void measure(const TriangleMesh& surface)
     {
-        Vec3 low = surface.vertices.front();
-        Vec3 high = low;
-        for (const Vec3& p : surface.vertices)
-        {
-            for (int axis = 0; axis < 3; ++axis)
-            {
-                low[axis] = std::min(low[axis], p[axis]);
-                high[axis] = std::max(high[axis], p[axis]);
-            }
-        }
-        report_.extent_mm = high - low;
+        report_.extent_mm = bounding_box(surface.vertices).size();
         report_.surface_volume_mm3 = enclosed_volume(surface.vertices, surface.triangles);
         report_.surface_area_mm2 = surface_area(surface.vertices, surface.triangles);
     }

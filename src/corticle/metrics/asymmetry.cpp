@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/metrics/asymmetry.hpp"
 
+#include "corticle/base/box.hpp"
 #include "corticle/base/parallel.hpp"
 
 namespace corticle
@@ -52,17 +53,7 @@ double index(double left, double right)
 
 Plane mid_sagittal_plane(std::span<const Vec3> points)
 {
-    Vec3 low = points[0];
-    Vec3 high = points[0];
-    for (const Vec3& p : points)
-    {
-        for (int axis = 0; axis < 3; ++axis)
-        {
-            low[axis] = std::min(low[axis], p[axis]);
-            high[axis] = std::max(high[axis], p[axis]);
-        }
-    }
-    return {0.5 * (low + high), {1, 0, 0}};
+    return {bounding_box(points).center(), {1, 0, 0}};
 }
 
 Asymmetry asymmetry(std::span<const Vec3> vertices, std::span<const Triangle> triangles, const Plane& plane)
