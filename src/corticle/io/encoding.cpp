@@ -2,10 +2,10 @@
 #include "corticle/io/encoding.hpp"
 
 #include "corticle/base/error.hpp"
+#include "corticle/io/quiet_vtk.hpp"
 
 #include <vtkLZ4DataCompressor.h>
 #include <vtkNew.h>
-#include <vtkObject.h>
 #include <vtkZLibDataCompressor.h>
 
 namespace corticle
@@ -22,13 +22,10 @@ const unsigned char* unsigned_bytes(std::string_view bytes)
 template <class Decoder>
 bool unpack(std::string_view packed, char* out, std::size_t size)
 {
-    const int shown = vtkObject::GetGlobalWarningDisplay();
-    vtkObject::SetGlobalWarningDisplay(0); // damaged blocks are reported by the caller
+    silence_vtk(); // damaged blocks are reported by the caller
     vtkNew<Decoder> decoder;
-    const std::size_t got =
-        decoder->Uncompress(unsigned_bytes(packed), packed.size(), reinterpret_cast<unsigned char*>(out), size);
-    vtkObject::SetGlobalWarningDisplay(shown);
-    return got == size;
+    return size ==
+           decoder->Uncompress(unsigned_bytes(packed), packed.size(), reinterpret_cast<unsigned char*>(out), size);
 }
 
 } // namespace

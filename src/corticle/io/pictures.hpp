@@ -8,6 +8,7 @@
 #include <array>
 #include <filesystem>
 #include <functional>
+#include <future>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,6 +28,11 @@ struct ColorScale
 /// True when a picture can be rendered: a display, or Xvfb (which is started when there is no display).
 /// When false, `reason` says what is missing and how to get it.
 bool can_render(std::string& reason);
+
+/// Gets the renderer ready in a thread of its own, for 0.4 s: the first picture of a process then takes no longer than
+/// the others. To be called where can_render is true; nothing may be drawn until the future, which waits when it goes,
+/// is ready.
+std::future<void> start_renderer();
 
 /// One picture of a surface: its colours.
 struct SurfacePicture

@@ -6,17 +6,14 @@
 namespace corticle
 {
 
-/// Keeps VTK from printing; what fails is thrown instead.
-class QuietVtk
+/// Keeps VTK from printing from now on; what fails is thrown instead.
+inline void silence_vtk()
 {
-  public:
-    QuietVtk() : shown_(vtkObject::GetGlobalWarningDisplay()) { vtkObject::SetGlobalWarningDisplay(0); }
-    QuietVtk(const QuietVtk&) = delete;
-    QuietVtk& operator=(const QuietVtk&) = delete;
-    ~QuietVtk() { vtkObject::SetGlobalWarningDisplay(shown_); }
-
-  private:
-    int shown_;
-};
+    [[maybe_unused]] static const bool is_silent = []
+    {
+        vtkObject::SetGlobalWarningDisplay(0);
+        return true;
+    }();
+}
 
 } // namespace corticle

@@ -286,12 +286,28 @@ vtkSmartPointer<vtkImageData> draw_page(std::span<const PagePanel> panels, std::
 
 } // namespace
 
+std::future<void> start_renderer()
+{
+    return std::async(std::launch::async,
+                      []
+                      {
+                          silence_vtk();
+                          const std::array<Vec3, 3> corners{{{0, 0, 0}, {1, 0, 0}, {0, 1, 1}}};
+                          const std::array<Triangle, 1> triangle{{{0, 1, 2}}};
+                          const ColorScale scale{"one", 0.0, 1.0};
+                          const std::array coloring{Coloring{{}, &scale}};
+                          const Pictures drawn = draw_views(corners, triangle, coloring, corners[0], 1.0, views, 8);
+                          draw_page(std::array{PagePanel{drawn[0], 0, 0, "one"}}, 1, scale, "one");
+                          picture_window(8, 8)->ReleaseCurrent(); // another thread draws from now on
+                      });
+}
+
 void render_surface(std::span<const Vec3> points, std::span<const Triangle> triangles,
                     std::span<const SurfacePicture> colored, const std::string& title, double half_width)
 {
     assert(!points.empty() && !colored.empty());
     require_display(colored.front().png);
-    const QuietVtk quiet;
+    silence_vtk();
     std::vector<Coloring> colorings;
     for (const SurfacePicture& one : colored)
     {
@@ -317,7 +333,7 @@ void render_surface_pair(const std::filesystem::path& png, const std::array<Surf
                          const ColorScale& scale, const std::string& title)
 {
     require_display(png);
-    const QuietVtk quiet;
+    silence_vtk();
     const double half_width = std::max(fitting_half_width(surfaces[0].points), fitting_half_width(surfaces[1].points));
     std::vector<PagePanel> panels;
     for (std::size_t column = 0; column < surfaces.size(); ++column)
@@ -339,7 +355,7 @@ void render_surface_grid(const std::filesystem::path& png, std::size_t count, st
                          const std::string& title)
 {
     require_display(png);
-    const QuietVtk quiet;
+    silence_vtk();
     const auto rows = static_cast<int>((count + columns - 1) / columns);
     const int width = static_cast<int>(columns) * tile_width + bar_room;
     const int height = rows * tile_height + title_height;

@@ -83,7 +83,7 @@ void write(const std::filesystem::path& file, vtkDataObject* data)
     write_atomically(file,
                      [&](const std::filesystem::path& temporary)
                      {
-                         const QuietVtk quiet;
+                         silence_vtk();
                          writer->SetFileName(temporary.c_str());
                          errno = 0;
                          const bool written = writer->Write() == 1 && is_complete(temporary);

@@ -22,6 +22,7 @@
 
 #include <chrono>
 #include <fstream>
+#include <future>
 
 namespace corticle
 {
@@ -62,16 +63,10 @@ class Recorder
 {
   public:
     Recorder(const RunRequest& request, std::string case_text, std::shared_ptr<spdlog::logger> log,
-             Clock::time_point start, double wall_before)
+             Clock::time_point start, double wall_before, bool draws)
         : request_(request), case_text_(std::move(case_text)), log_(std::move(log)), start_(start), saved_at_(start),
-          wall_before_(wall_before)
+          wall_before_(wall_before), draws_(draws)
     {
-        std::string reason;
-        pictures_ = request.options.output.pictures == "on" && can_render(reason);
-        if (request.options.output.pictures == "on" && !pictures_)
-        {
-            log_->warn("no pictures: {}", reason);
-        }
     }
 
     void resume(std::vector<Measures> rows, std::int64_t steps)
@@ -140,7 +135,7 @@ class Recorder
 
     void draw_measures()
     {
-        if (pictures_)
+        if (draws_)
         {
             const Stopwatch watch(output_s_);
             render_measures(request_.out, rows_);
@@ -158,7 +153,7 @@ class Recorder
         frame.mean_curvature = arrays.folds.curvature.mean;
         write_frame(request_.out, simulation, frame, arrays);
         write_tables(request_.out, rows_);
-        if (with_pictures && pictures_)
+        if (with_pictures && draws_)
         {
             render_frame(request_.out, frame);
         }
@@ -174,7 +169,7 @@ class Recorder
     std::vector<Measures> rows_;
     double measures_s_ = 0.0;
     double output_s_ = 0.0;
-    bool pictures_ = false;
+    bool draws_;
     bool warned_ = false;
 };
 
@@ -263,7 +258,15 @@ RunStatus simulate(const RunRequest& request)
         lock.emplace(request.out);
     }
     std::optional<Checkpoint> checkpoint = find_checkpoint(request, case_text);
+    const bool wants_pictures = request.options.output.pictures == "on";
+    std::string no_pictures;
+    const bool draws = wants_pictures && can_render(no_pictures);
+    std::future<void> renderer = draws ? start_renderer() : std::future<void>{}; // beside the preparation
     Body body = body_of(request);
+    if (draws)
+    {
+        renderer.get();
+    }
     std::optional<Restored> restored;
     if (checkpoint)
     {
@@ -285,9 +288,13 @@ RunStatus simulate(const RunRequest& request)
     const auto log = make_log(request.out, request.quiet);
     log->info("corticle {}, {} threads", CORTICLE_VERSION, thread_count());
     log_body(*log, body);
+    if (wants_pictures && !draws)
+    {
+        log->warn("no pictures: {}", no_pictures);
+    }
 
     const InterruptionGuard guard;
-    Recorder recorder(request, case_text, log, start, restored ? earlier_wall(request.out) : 0.0);
+    Recorder recorder(request, case_text, log, start, restored ? earlier_wall(request.out) : 0.0, draws);
     Simulation simulation(body, request.options);
     if (restored)
     {
