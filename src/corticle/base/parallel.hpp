@@ -10,8 +10,8 @@
 #include <omp.h>
 #endif
 
-// The only file that knows threads. Work is cut into blocks of a fixed size, whatever the number of threads;
-// sums are taken block by block in order, so 1 and N threads give the same bits.
+// The only file that knows the threads of loops. Work is cut into blocks of a fixed size, whatever the number of
+// threads; sums are taken block by block in order, so 1 and N threads give the same bits.
 
 namespace corticle
 {
@@ -48,57 +48,76 @@ inline int thread_number()
 #endif
 }
 
-/// Which thread takes which blocks: whichever is free, or each an equal run of them. Runs suit short loops over the
-/// same items again and again: a thread finds in its cache what it left there.
-enum class Sharing
-{
-    on_demand,
-    in_runs
-};
-
 /// Calls body(begin, end) for consecutive blocks of [0, count); blocks run concurrently, in any order. Where an item
 /// takes long, smaller blocks give each thread its part. The body must not throw.
 template <class Body>
-void parallel_blocks(std::int64_t count, Body&& body, std::int64_t block_size = parallel_block,
-                     Sharing sharing = Sharing::on_demand)
+void parallel_blocks(std::int64_t count, Body&& body, std::int64_t block_size = parallel_block)
 {
     const std::int64_t blocks = (count + block_size - 1) / block_size;
-    const auto run = [&](std::int64_t block)
-    {
-        const std::int64_t begin = block * block_size;
-        body(begin, std::min(begin + block_size, count));
-    };
-    if (sharing == Sharing::in_runs)
-    {
-#pragma omp parallel for schedule(static) if (blocks > 1)
-        for (std::int64_t block = 0; block < blocks; ++block)
-        {
-            run(block);
-        }
-        return;
-    }
     const std::int64_t chunk = block_size == parallel_block ? 2 : 1;
 #pragma omp parallel for schedule(dynamic, chunk) if (blocks > 1)
     for (std::int64_t block = 0; block < blocks; ++block)
     {
-        run(block);
+        const std::int64_t begin = block * block_size;
+        body(begin, std::min(begin + block_size, count));
+    }
+}
+
+/// Calls body(begin, end) for consecutive blocks of [0, count).
+template <class Body>
+struct BlockLoop
+{
+    std::int64_t count;
+    Body body;
+    std::int64_t block_size = parallel_block;
+
+    std::int64_t blocks() const { return (count + block_size - 1) / block_size; }
+    /// The part of the calling thread: a run of blocks, as many as every other thread has.
+    void run() const
+    {
+#pragma omp for schedule(static) nowait
+        for (std::int64_t block = 0; block < blocks(); ++block)
+        {
+            const std::int64_t begin = block * block_size;
+            body(begin, std::min(begin + block_size, count));
+        }
+    }
+};
+template <class Body>
+BlockLoop(std::int64_t, Body) -> BlockLoop<Body>;
+template <class Body>
+BlockLoop(std::int64_t, Body, std::int64_t) -> BlockLoop<Body>;
+
+/// Calls body(i) for every i of [0, count).
+template <class Body>
+auto each(std::int64_t count, Body body)
+{
+    return BlockLoop{count, [body](std::int64_t begin, std::int64_t end)
+                     {
+                         for (std::int64_t i = begin; i < end; ++i)
+                         {
+                             body(i);
+                         }
+                     }};
+}
+
+/// Short loops over the same items again and again, concurrently: a thread finds in its cache what it left there, and
+/// goes from one loop to the next without waiting for the others. The loops must not need each other, nor throw.
+template <class... Bodies>
+void parallel_runs(const BlockLoop<Bodies>&... loops)
+{
+#pragma omp parallel if ((loops.blocks() + ...) > 1)
+    {
+        (loops.run(), ...);
     }
 }
 
 /// Calls body(i) for every i of [0, count), concurrently. The body must not throw.
 template <class Body>
-void parallel_for(std::int64_t count, Body&& body, Sharing sharing = Sharing::on_demand)
+void parallel_for(std::int64_t count, Body&& body)
 {
-    parallel_blocks(
-        count,
-        [&](std::int64_t begin, std::int64_t end)
-        {
-            for (std::int64_t i = begin; i < end; ++i)
-            {
-                body(i);
-            }
-        },
-        parallel_block, sharing);
+    const auto loop = each(count, [&body](std::int64_t i) { body(i); });
+    parallel_blocks(count, loop.body);
 }
 
 /// Calls both concurrently. They must not throw.
@@ -127,7 +146,7 @@ class PerThread
 /// The result does not depend on the number of threads.
 template <class T, class BlockValue, class Join>
 T parallel_reduce(std::int64_t count, T initial, BlockValue&& block_value, Join&& join,
-                  std::int64_t block_size = parallel_block, Sharing sharing = Sharing::on_demand)
+                  std::int64_t block_size = parallel_block)
 {
     static_assert(!std::same_as<T, bool>, "the elements of vector<bool> share bytes, which threads may not");
     const std::int64_t blocks = (count + block_size - 1) / block_size;
@@ -136,7 +155,7 @@ T parallel_reduce(std::int64_t count, T initial, BlockValue&& block_value, Join&
         count,
         [&](std::int64_t begin, std::int64_t end)
         { partial[static_cast<std::size_t>(begin / block_size)] = block_value(begin, end); },
-        block_size, sharing);
+        block_size);
     T result = initial;
     for (const T& value : partial)
     {
@@ -147,13 +166,12 @@ T parallel_reduce(std::int64_t count, T initial, BlockValue&& block_value, Join&
 
 /// Sets `all` to what blocks append concurrently, in the order of the blocks: `append(begin, end, part)`.
 template <class T, class Append>
-void parallel_list(std::int64_t count, std::vector<T>& all, Append&& append, std::int64_t block_size = parallel_block,
-                   Sharing sharing = Sharing::on_demand)
+void parallel_list(std::int64_t count, std::vector<T>& all, Append&& append, std::int64_t block_size = parallel_block)
 {
     std::vector<std::vector<T>> parts(static_cast<std::size_t>((count + block_size - 1) / block_size));
     parallel_blocks(
-        count, [&](std::int64_t begin, std::int64_t end) { append(begin, end, parts[begin / block_size]); }, block_size,
-        sharing);
+        count, [&](std::int64_t begin, std::int64_t end) { append(begin, end, parts[begin / block_size]); },
+        block_size);
     std::vector<std::ptrdiff_t> first{0};
     for (const std::vector<T>& part : parts)
     {
@@ -170,7 +188,7 @@ void parallel_list(std::int64_t count, std::vector<T>& all, Append&& append, std
                 std::copy(parts[k].begin(), parts[k].end(), all.begin() + first[k]);
             }
         },
-        parts_at_a_time, sharing);
+        parts_at_a_time);
 }
 
 /// sum_i value(i), in a fixed order.

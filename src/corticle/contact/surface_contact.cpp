@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <limits>
 
 namespace corticle
@@ -107,83 +108,80 @@ double SurfaceContact::path_of(const EdgeEdge& pair) const
     return edge_path_[static_cast<std::size_t>(pair.first)] + edge_path_[static_cast<std::size_t>(pair.second)];
 }
 
+/// Sets the paths at which candidates just found may be near.
 template <class Pair>
-void SurfaceContact::watch(std::span<const Pair> pairs, Watch<Pair>& watched) const
+auto SurfaceContact::watching(std::span<const Pair> pairs, Watch<Pair>& watched) const
 {
     watched.due.resize(pairs.size());
-    parallel_for(
-        std::ssize(pairs), [&](std::int64_t k) { watched.due[k] = path_of(pairs[k]) + pairs[k].distance - dhat_; },
-        Sharing::in_runs);
+    return each(std::ssize(pairs), [this, pairs, &watched](std::int64_t k)
+                { watched.due[k] = path_of(pairs[k]) + pairs[k].distance - dhat_; });
 }
 
+/// Measures the candidates that may be near.
 template <class Pair>
-void SurfaceContact::measure_due(std::span<const Vec3> x, std::span<const Pair> pairs, Watch<Pair>& watched) const
+auto SurfaceContact::measuring(std::span<const Vec3> x, std::span<const Pair> pairs, Watch<Pair>& watched) const
 {
-    const double rounding = 1e-9 * dhat_; // more than additions round off
-    parallel_list(
-        std::ssize(pairs), watched.near,
-        [&](std::int64_t begin, std::int64_t end, std::vector<Pair>& near)
-        {
-            std::array<std::int64_t, parallel_block> places;
-            std::size_t count = 0;
-            for (std::int64_t k = begin; k < end; ++k)
-            {
-                places[count] = k;
-                count += watched.due[k] < path_of(pairs[k]) + rounding ? 1 : 0;
-            }
-            near.resize(count);
-            for (std::size_t m = 0; m < count; ++m)
-            {
-                near[m] = pairs[places[m]];
-            }
-            parts_.measure(x, near);
-            std::size_t kept = 0;
-            for (std::size_t m = 0; m < count; ++m)
-            {
-                watched.due[places[m]] = path_of(near[m]) + near[m].distance - dhat_;
-                near[kept] = near[m];
-                kept += near[m].distance < dhat_ ? 1 : 0;
-            }
-            near.resize(kept);
-        },
-        parallel_block, Sharing::in_runs);
+    watched.near.resize((pairs.size() + parallel_block - 1) / parallel_block);
+    return BlockLoop{std::ssize(pairs), [this, x, pairs, &watched](std::int64_t begin, std::int64_t end)
+                     {
+                         const double rounding = 1e-9 * dhat_; // more than additions round off
+                         std::array<std::int64_t, parallel_block> places;
+                         std::size_t count = 0;
+                         for (std::int64_t k = begin; k < end; ++k)
+                         {
+                             places[count] = k;
+                             count += watched.due[k] < path_of(pairs[k]) + rounding ? 1 : 0;
+                         }
+                         std::vector<Pair>& near = watched.near[begin / parallel_block];
+                         near.resize(count);
+                         for (std::size_t m = 0; m < count; ++m)
+                         {
+                             near[m] = pairs[places[m]];
+                         }
+                         parts_.measure(x, near);
+                         std::size_t kept = 0;
+                         for (std::size_t m = 0; m < count; ++m)
+                         {
+                             watched.due[places[m]] = path_of(near[m]) + near[m].distance - dhat_;
+                             near[kept] = near[m];
+                             kept += near[m].distance < dhat_ ? 1 : 0;
+                         }
+                         near.resize(kept);
+                     }};
 }
 
 /// Notes how far the vertices have moved, and says whether one of them has left its reach.
 bool SurfaceContact::follow(std::span<const Vec3> x)
 {
-    const std::int64_t left = parallel_reduce(
-        std::ssize(x), std::int64_t{0},
-        [&](std::int64_t begin, std::int64_t end)
-        {
-            std::int64_t outside = 0;
-            for (std::int64_t k = begin; k < end; ++k)
-            {
-                step_[k] = norm(x[k] - last_x_[k]);
-                vertex_path_[k] += step_[k];
-                last_x_[k] = x[k];
-                outside += squared_norm(x[k] - listed_at_[k]) > reach_[k] * reach_[k] ? 1 : 0;
-            }
-            return outside;
-        },
-        [](std::int64_t& total, std::int64_t part) { total += part; }, parallel_block, Sharing::in_runs);
-    parallel_for(
-        std::ssize(parts_.triangles()),
-        [&](std::int64_t k)
-        {
-            const Triangle& corner = parts_.triangles()[static_cast<std::size_t>(k)];
-            triangle_path_[k] += std::max({step_[corner[0]], step_[corner[1]], step_[corner[2]]});
-        },
-        Sharing::in_runs);
-    parallel_for(
-        std::ssize(parts_.edges()),
-        [&](std::int64_t k)
-        {
-            const Edge& end = parts_.edges()[static_cast<std::size_t>(k)];
-            edge_path_[k] += std::max(step_[end[0]], step_[end[1]]);
-        },
-        Sharing::in_runs);
-    return left > 0;
+    std::atomic<bool> has_left = false;
+    parallel_runs(BlockLoop{std::ssize(x), [&](std::int64_t begin, std::int64_t end)
+                            {
+                                std::int64_t outside = 0;
+                                for (std::int64_t k = begin; k < end; ++k)
+                                {
+                                    step_[k] = norm(x[k] - last_x_[k]);
+                                    vertex_path_[k] += step_[k];
+                                    last_x_[k] = x[k];
+                                    outside += squared_norm(x[k] - listed_at_[k]) > reach_[k] * reach_[k] ? 1 : 0;
+                                }
+                                if (outside > 0)
+                                {
+                                    has_left = true;
+                                }
+                            }});
+    parallel_runs(each(std::ssize(parts_.triangles()),
+                       [&](std::int64_t k)
+                       {
+                           const Triangle& corner = parts_.triangles()[static_cast<std::size_t>(k)];
+                           triangle_path_[k] += std::max({step_[corner[0]], step_[corner[1]], step_[corner[2]]});
+                       }),
+                  each(std::ssize(parts_.edges()),
+                       [&](std::int64_t k)
+                       {
+                           const Edge& end = parts_.edges()[static_cast<std::size_t>(k)];
+                           edge_path_[k] += std::max(step_[end[0]], step_[end[1]]);
+                       }));
+    return has_left;
 }
 
 /// Finds the candidates anew when one may be missing.
@@ -197,8 +195,8 @@ void SurfaceContact::refresh_candidates(std::span<const Vec3> x, std::span<const
         std::ssize(x), [&](std::int64_t k)
         { reach_[k] = std::min(largest_reach * spacing_, least_reach * spacing_ + steps_of_reach * dt * norm(v[k])); });
     parts_.find_candidates(x, dhat_, reach_, candidates_);
-    watch<VertexTriangle>(candidates_.vertex_triangle, vertices_);
-    watch<EdgeEdge>(candidates_.edge_edge, edge_pairs_);
+    parallel_runs(watching<VertexTriangle>(candidates_.vertex_triangle, vertices_),
+                  watching<EdgeEdge>(candidates_.edge_edge, edge_pairs_));
     listed_at_.assign(x.begin(), x.end());
     last_x_ = listed_at_;
 }
@@ -211,43 +209,50 @@ void SurfaceContact::choose(Watch<Pair>& watched) const
     constexpr double taken = -1.0;
     std::ranges::fill(watched.travel_limit, travel_share * dhat_);
     std::ranges::fill(watched.least, std::numeric_limits<double>::infinity());
-    for (const Pair& pair : watched.near)
+    for (const std::vector<Pair>& block : watched.near)
     {
-        for (const std::int32_t part : parts_of(pair))
+        for (const Pair& pair : block)
         {
-            watched.least[part] = std::min(watched.least[part], pair.distance);
+            for (const std::int32_t part : parts_of(pair))
+            {
+                watched.least[part] = std::min(watched.least[part], pair.distance);
+            }
         }
     }
     watched.pushing.clear();
-    for (const Pair& pair : watched.near)
+    for (const std::vector<Pair>& block : watched.near)
     {
-        const auto parts = parts_of(pair);
-        const std::array is_closest{pair.distance == watched.least[parts[0]], pair.distance == watched.least[parts[1]]};
-        if (!is_closest[0] && !is_closest[1])
+        for (const Pair& pair : block)
         {
-            continue;
-        }
-        for (const std::int32_t vertex : vertices_of(pair))
-        {
-            double& limit = watched.travel_limit[vertex];
-            limit = std::min(limit, travel_share * pair.distance);
-        }
-        const auto owners = owners_of(pair); // the first part, or both
-        if (is_closest[0] && is_closest[owners.size() - 1])
-        {
-            double gap = dhat_;
-            for (const std::int32_t owner : owners)
+            const auto parts = parts_of(pair);
+            const std::array is_closest{pair.distance == watched.least[parts[0]],
+                                        pair.distance == watched.least[parts[1]]};
+            if (!is_closest[0] && !is_closest[1])
             {
-                gap = std::min(gap, watched.gap[owner]);
+                continue;
             }
-            if (pair.distance < gap)
+            for (const std::int32_t vertex : vertices_of(pair))
             {
-                watched.pushing.push_back({pair, gap});
+                double& limit = watched.travel_limit[vertex];
+                limit = std::min(limit, travel_share * pair.distance);
             }
-        }
-        for (std::size_t k = 0; k < 2; ++k)
-        {
-            watched.least[parts[k]] = is_closest[k] ? taken : watched.least[parts[k]];
+            const auto owners = owners_of(pair); // the first part, or both
+            if (is_closest[0] && is_closest[owners.size() - 1])
+            {
+                double gap = dhat_;
+                for (const std::int32_t owner : owners)
+                {
+                    gap = std::min(gap, watched.gap[owner]);
+                }
+                if (pair.distance < gap)
+                {
+                    watched.pushing.push_back({pair, gap});
+                }
+            }
+            for (std::size_t k = 0; k < 2; ++k)
+            {
+                watched.least[parts[k]] = is_closest[k] ? taken : watched.least[parts[k]];
+            }
         }
     }
 }
@@ -279,46 +284,43 @@ SurfaceContact::Push SurfaceContact::push_of(const Pushing<Pair>& pushing, const
             acts(pushing.pair, points.weight)};
 }
 
-/// The pushes of a list, to where they are wanted.
+/// Works out the pushes of a list, to where they are wanted.
 template <class Pair>
-void SurfaceContact::set_pushes(std::span<const Vec3> x, std::span<const Vec3> v, double dt,
-                                std::span<const Pushing<Pair>> pushing, Push* pushes) const
+auto SurfaceContact::working_out(std::span<const Vec3> x, std::span<const Vec3> v, double dt,
+                                 std::span<const Pushing<Pair>> pushing, Push* pushes) const
 {
     constexpr std::int64_t pairs_at_a_time = 64;
-    parallel_blocks(
-        std::ssize(pushing),
-        [&](std::int64_t begin, std::int64_t end)
-        {
-            std::array<Pair, pairs_at_a_time> pairs;
-            std::array<ClosestPoints, pairs_at_a_time> points;
-            const auto count = static_cast<std::size_t>(end - begin);
-            for (std::size_t m = 0; m < count; ++m)
-            {
-                pairs[m] = pushing[begin + m].pair;
-            }
-            parts_.locate(x, std::span(pairs).first(count), points);
-            for (std::size_t m = 0; m < count; ++m)
-            {
-                pushes[begin + m] = push_of(pushing[begin + m], points[m], v, dt);
-            }
-        },
-        pairs_at_a_time, Sharing::in_runs);
+    return BlockLoop{std::ssize(pushing),
+                     [this, x, v, dt, pushing, pushes](std::int64_t begin, std::int64_t end)
+                     {
+                         std::array<Pair, pairs_at_a_time> pairs;
+                         std::array<ClosestPoints, pairs_at_a_time> points;
+                         const auto count = static_cast<std::size_t>(end - begin);
+                         for (std::size_t m = 0; m < count; ++m)
+                         {
+                             pairs[m] = pushing[begin + m].pair;
+                         }
+                         parts_.locate(x, std::span(pairs).first(count), points);
+                         for (std::size_t m = 0; m < count; ++m)
+                         {
+                             pushes[begin + m] = push_of(pushing[begin + m], points[m], v, dt);
+                         }
+                     },
+                     pairs_at_a_time};
 }
 
 ContactResponse SurfaceContact::evaluate(std::span<const Vec3> x, std::span<const Vec3> v, double dt,
                                          std::span<Vec3> forces)
 {
     refresh_candidates(x, v, dt);
-    measure_due<VertexTriangle>(x, candidates_.vertex_triangle, vertices_);
-    measure_due<EdgeEdge>(x, candidates_.edge_edge, edge_pairs_);
+    parallel_runs(measuring<VertexTriangle>(x, candidates_.vertex_triangle, vertices_),
+                  measuring<EdgeEdge>(x, candidates_.edge_edge, edge_pairs_));
     parallel_both([&] { choose(vertices_); }, [&] { choose(edge_pairs_); });
     pushes_.resize(vertices_.pushing.size() + edge_pairs_.pushing.size());
-    set_pushes<VertexTriangle>(x, v, dt, vertices_.pushing, pushes_.data());
-    set_pushes<EdgeEdge>(x, v, dt, edge_pairs_.pushing, pushes_.data() + vertices_.pushing.size());
-    parallel_for(
-        std::ssize(travel_limit_),
-        [&](std::int64_t k) { travel_limit_[k] = std::min(vertices_.travel_limit[k], edge_pairs_.travel_limit[k]); },
-        Sharing::in_runs);
+    parallel_runs(working_out<VertexTriangle>(x, v, dt, vertices_.pushing, pushes_.data()),
+                  working_out<EdgeEdge>(x, v, dt, edge_pairs_.pushing, pushes_.data() + vertices_.pushing.size()),
+                  each(std::ssize(travel_limit_), [&](std::int64_t k)
+                       { travel_limit_[k] = std::min(vertices_.travel_limit[k], edge_pairs_.travel_limit[k]); }));
     ContactResponse response;
     for (const Push& push : pushes_)
     {

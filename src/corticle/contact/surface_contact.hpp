@@ -67,9 +67,9 @@ class SurfaceContact
     template <class Pair>
     struct Watch
     {
-        std::vector<double> gap;   ///< of every vertex, or of every edge [mm]
-        std::vector<double> due;   ///< path at which each candidate may be near [mm]
-        std::vector<Pair> near;    ///< in the order of the candidates, with their distance now
+        std::vector<double> gap;             ///< of every vertex, or of every edge [mm]
+        std::vector<double> due;             ///< path at which each candidate may be near [mm]
+        std::vector<std::vector<Pair>> near; ///< of blocks of the candidates, in their order, with their distance now
         std::vector<double> least; ///< of every part, the distance of its closest near pair; -1 once that is found [mm]
         std::vector<double> travel_limit;   ///< that the near pairs set to each vertex [mm]
         std::vector<Pushing<Pair>> pushing; ///< those of the near pairs that may push
@@ -81,9 +81,9 @@ class SurfaceContact
     template <class Pair>
     void set_gaps(std::span<const Pair> pairs, Watch<Pair>& watched) const;
     template <class Pair>
-    void watch(std::span<const Pair> pairs, Watch<Pair>& watched) const;
+    auto watching(std::span<const Pair> pairs, Watch<Pair>& watched) const;
     template <class Pair>
-    void measure_due(std::span<const Vec3> x, std::span<const Pair> pairs, Watch<Pair>& watched) const;
+    auto measuring(std::span<const Vec3> x, std::span<const Pair> pairs, Watch<Pair>& watched) const;
     double path_of(const VertexTriangle& pair) const;
     double path_of(const EdgeEdge& pair) const;
     bool follow(std::span<const Vec3> x);
@@ -91,8 +91,8 @@ class SurfaceContact
     template <class Pair>
     void choose(Watch<Pair>& watched) const;
     template <class Pair>
-    void set_pushes(std::span<const Vec3> x, std::span<const Vec3> v, double dt, std::span<const Pushing<Pair>> pushing,
-                    Push* pushes) const;
+    auto working_out(std::span<const Vec3> x, std::span<const Vec3> v, double dt,
+                     std::span<const Pushing<Pair>> pushing, Push* pushes) const;
     template <class Pair>
     Push push_of(const Pushing<Pair>& pushing, const ClosestPoints& points, std::span<const Vec3> v, double dt) const;
 

@@ -26,22 +26,16 @@ constexpr double kinetic_share = 1e-3;  ///< kinetic over elastic energy that lo
 constexpr double adjusting_time = 0.03; ///< growth time [t] in which its rate follows
 constexpr double step_recovery = 1.05;  ///< factor by which a halved step grows back, per step
 
-std::vector<double> gather(std::span<const double> values, std::span<const std::int32_t> at)
+template <class T>
+std::vector<T> gather(const std::vector<T>& values, std::span<const std::int32_t> at)
 {
-    std::vector<double> result;
+    std::vector<T> result;
     result.reserve(at.size());
     for (const std::int32_t k : at)
     {
         result.push_back(values[static_cast<std::size_t>(k)]);
     }
     return result;
-}
-
-void gather(std::span<const Vec3> values, std::span<const std::int32_t> at, std::vector<Vec3>& result)
-{
-    result.resize(at.size());
-    parallel_for(
-        std::ssize(at), [&](std::int64_t k) { result[k] = values[at[k]]; }, Sharing::in_runs);
 }
 
 double loading_time(const Body& body, const Options& options)
@@ -62,7 +56,7 @@ std::vector<std::int32_t> sorted(std::vector<std::int32_t> numbers)
 }
 
 /// Contact of the body's surface, whose vertices are numbered as in `particles`.
-SurfaceContact contact_of(const Body& body, std::span<const std::int32_t> particles, std::span<const double> masses,
+SurfaceContact contact_of(const Body& body, std::span<const std::int32_t> particles, const std::vector<double>& masses,
                           const ContactOptions& options)
 {
     const auto vertex_of = [&](std::int32_t vertex)
@@ -114,9 +108,7 @@ void Simulation::restore(State state)
 
 std::vector<Vec3> Simulation::surface_positions() const
 {
-    std::vector<Vec3> positions;
-    gather(state_.motion.x, body_.cloud.surface_particles, positions);
-    return positions;
+    return gather(state_.motion.x, body_.cloud.surface_particles);
 }
 
 InternalResponse Simulation::internal_forces(Motion& motion, double t)
@@ -129,19 +121,24 @@ void Simulation::add_contact(Motion& motion)
 {
     const Stopwatch watch(seconds_.contact);
     const std::vector<std::int32_t>& particles = contact_particles_;
-    gather(motion.x, particles, contact_x_);
-    gather(motion.v, particles, contact_v_);
-    contact_force_.assign(particles.size(), Vec3{});
+    contact_x_.resize(particles.size());
+    contact_v_.resize(particles.size());
+    contact_force_.resize(particles.size());
+    parallel_runs(each(std::ssize(particles),
+                       [&](std::int64_t k)
+                       {
+                           contact_x_[k] = motion.x[particles[k]];
+                           contact_v_[k] = motion.v[particles[k]];
+                           contact_force_[k] = {};
+                       }));
     contact_response_ = contact_.evaluate(contact_x_, contact_v_, critical_dt_, contact_force_);
     const std::span<const double> limit = contact_.travel_limit();
-    parallel_for(
-        std::ssize(particles),
-        [&](std::int64_t k)
-        {
-            motion.force[particles[k]] += contact_force_[k];
-            travel_limit_[particles[k]] = limit[k];
-        },
-        Sharing::in_runs);
+    parallel_runs(each(std::ssize(particles),
+                       [&](std::int64_t k)
+                       {
+                           motion.force[particles[k]] += contact_force_[k];
+                           travel_limit_[particles[k]] = limit[k];
+                       }));
 }
 
 /// Forces, energies and limits at a motion's positions; false when the positions are invalid.
