@@ -69,10 +69,16 @@ CORTICLE_INLINE WideLanes square_root(const WideLanes& a)
     return *reinterpret_cast<const WideMemory*>(lanes);
 }
 
+/// The second where one of them is no number.
 template <RealLike Real>
 CORTICLE_INLINE Real larger(const Real& a, const Real& b)
 {
     return a > b ? a : b;
+}
+template <RealLike Real>
+CORTICLE_INLINE Real smaller(const Real& a, const Real& b)
+{
+    return a < b ? a : b;
 }
 
 /// Calls act(lane) where the mask that a comparison gives is set.

@@ -8,11 +8,14 @@
 namespace corticle
 {
 
-/// a limited to [0, 1].
+// Conditions on several numbers are one comparison, of the largest or the least of them: compilers take masks that are
+// combined apart into single lanes. They combine them themselves where two choices in a row choose the same.
+
+/// a limited to [0, 1]; 0 where it is no number.
 template <RealLike Real>
 CORTICLE_INLINE Real limited_to_unit(const Real& a)
 {
-    return a < 0.0 ? broadcast<Real>(0.0) : (a > 1.0 ? broadcast<Real>(1.0) : a);
+    return smaller(larger(a, Real{}), broadcast<Real>(1.0));
 }
 
 /// Barycentric weights of the point of triangle abc closest to p (Ericson 2005, section 5.1.5). The regions are tried
@@ -35,20 +38,25 @@ CORTICLE_INLINE std::array<Real, 3> closest_on_triangle(const BasicVec3<Real>& p
     const Real sum = va + vb + vc;
     const Real zero{};
     const Real one = broadcast<Real>(1.0);
-    Real at_b = vb / sum;
-    Real at_c = vc / sum;
-    const auto choose = [&](const auto& here, const Real& b_weight, const Real& c_weight)
-    {
-        at_b = here ? b_weight : at_b;
-        at_c = here ? c_weight : at_c;
-    };
+    // At most zero in the region of an edge or of a corner.
+    const Real on_bc = larger(va, larger(d3 - d4, d6 - d5));
+    const Real on_ac = larger(vb, larger(-d2, d6));
+    const Real on_c = larger(-d6, d5 - d6);
+    const Real on_ab = larger(vc, larger(-d1, d3));
+    const Real on_b = larger(-d3, d4 - d3);
+    const Real on_a = larger(d1, d2);
     const Real along_bc = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-    choose((va <= 0.0) & (d4 - d3 >= 0.0) & (d5 - d6 >= 0.0), one - along_bc, along_bc);
-    choose((vb <= 0.0) & (d2 >= 0.0) & (d6 <= 0.0), zero, d2 / (d2 - d6));
-    choose((d6 >= 0.0) & (d5 <= d6), zero, one);
-    choose((vc <= 0.0) & (d1 >= 0.0) & (d3 <= 0.0), d1 / (d1 - d3), zero);
-    choose((d3 >= 0.0) & (d4 <= d3), one, zero);
-    choose((d1 <= 0.0) & (d2 <= 0.0), zero, zero);
+    Real at_b = vb / sum;
+    at_b = on_bc <= 0.0 ? one - along_bc : at_b;
+    at_b = smaller(on_ac, on_c) <= 0.0 ? zero : at_b;
+    at_b = on_ab <= 0.0 ? d1 / (d1 - d3) : at_b;
+    at_b = on_b <= 0.0 ? one : at_b;
+    at_b = on_a <= 0.0 ? zero : at_b;
+    Real at_c = vc / sum;
+    at_c = on_bc <= 0.0 ? along_bc : at_c;
+    at_c = on_ac <= 0.0 ? d2 / (d2 - d6) : at_c;
+    at_c = on_c <= 0.0 ? one : at_c;
+    at_c = smaller(on_ab, smaller(on_b, on_a)) <= 0.0 ? zero : at_c;
     return {one - (at_b + at_c), at_b, at_c};
 }
 
@@ -66,13 +74,12 @@ CORTICLE_INLINE std::array<Real, 2> closest_of_segments(const BasicVec3<Real>& a
     const Real uv = dot(u, v);
     const Real uw = dot(u, w);
     const Real vw = dot(v, w);
-    const Real zero{};
     const Real determinant = uu * vv - uv * uv;
     const Real inside =
         determinant > 1e-14 * uu * vv ? limited_to_unit((uv * vw - uw * vv) / determinant) : broadcast<Real>(0.5);
-    const Real t = vv > 0.0 ? (uv * inside + vw) / vv : zero;
-    const Real at_c = uu > 0.0 ? limited_to_unit(-uw / uu) : zero;
-    const Real at_d = uu > 0.0 ? limited_to_unit((uv - uw) / uu) : zero;
+    const Real t = (uv * inside + vw) / vv; // no number where c and d are one point, as the next two where a and b are
+    const Real at_c = limited_to_unit(-uw / uu);
+    const Real at_d = limited_to_unit((uv - uw) / uu);
     return {t < 0.0 ? at_c : (t > 1.0 ? at_d : inside), limited_to_unit(t)};
 }
 
