@@ -61,7 +61,7 @@ CORTICLE_INLINE std::array<Real, 3> closest_on_triangle(const BasicVec3<Real>& p
 }
 
 /// Parameters (s, t) in [0, 1]² of the closest points a + s (b - a), c + t (d - c) of two segments (Ericson 2005,
-/// section 5.1.9).
+/// section 5.1.9). Either may be a single point.
 template <RealLike Real>
 CORTICLE_INLINE std::array<Real, 2> closest_of_segments(const BasicVec3<Real>& a, const BasicVec3<Real>& b,
                                                         const BasicVec3<Real>& c, const BasicVec3<Real>& d)
@@ -77,10 +77,10 @@ CORTICLE_INLINE std::array<Real, 2> closest_of_segments(const BasicVec3<Real>& a
     const Real determinant = uu * vv - uv * uv;
     const Real inside =
         determinant > 1e-14 * uu * vv ? limited_to_unit((uv * vw - uw * vv) / determinant) : broadcast<Real>(0.5);
-    const Real t = (uv * inside + vw) / vv; // no number where c and d are one point, as the next two where a and b are
+    const Real t = (uv * inside + vw) / vv; // no number where c is d
     const Real at_c = limited_to_unit(-uw / uu);
     const Real at_d = limited_to_unit((uv - uw) / uu);
-    return {t < 0.0 ? at_c : (t > 1.0 ? at_d : inside), limited_to_unit(t)};
+    return {t > 1.0 ? at_d : (t >= 0.0 ? inside : at_c), limited_to_unit(t)};
 }
 
 } // namespace corticle
