@@ -69,12 +69,13 @@ CORTICLE_INLINE WideLanes square_root(const WideLanes& a)
     return *reinterpret_cast<const WideMemory*>(lanes);
 }
 
-/// The second where one of them is no number.
+/// The larger of two numbers; the second where one of them is none.
 template <RealLike Real>
 CORTICLE_INLINE Real larger(const Real& a, const Real& b)
 {
     return a > b ? a : b;
 }
+/// The smaller of two numbers; the second where one of them is none.
 template <RealLike Real>
 CORTICLE_INLINE Real smaller(const Real& a, const Real& b)
 {

@@ -7,6 +7,7 @@
 #include <array>
 #include <atomic>
 #include <limits>
+#include <ranges>
 
 namespace corticle
 {
@@ -209,50 +210,43 @@ void SurfaceContact::choose(Watch<Pair>& watched) const
     constexpr double taken = -1.0;
     std::ranges::fill(watched.travel_limit, travel_share * dhat_);
     std::ranges::fill(watched.least, std::numeric_limits<double>::infinity());
-    for (const std::vector<Pair>& block : watched.near)
+    for (const Pair& pair : watched.near | std::views::join)
     {
-        for (const Pair& pair : block)
+        for (const std::int32_t part : parts_of(pair))
         {
-            for (const std::int32_t part : parts_of(pair))
-            {
-                watched.least[part] = std::min(watched.least[part], pair.distance);
-            }
+            watched.least[part] = std::min(watched.least[part], pair.distance);
         }
     }
     watched.pushing.clear();
-    for (const std::vector<Pair>& block : watched.near)
+    for (const Pair& pair : watched.near | std::views::join)
     {
-        for (const Pair& pair : block)
+        const auto parts = parts_of(pair);
+        const std::array is_closest{pair.distance == watched.least[parts[0]], pair.distance == watched.least[parts[1]]};
+        if (!is_closest[0] && !is_closest[1])
         {
-            const auto parts = parts_of(pair);
-            const std::array is_closest{pair.distance == watched.least[parts[0]],
-                                        pair.distance == watched.least[parts[1]]};
-            if (!is_closest[0] && !is_closest[1])
+            continue;
+        }
+        for (const std::int32_t vertex : vertices_of(pair))
+        {
+            double& limit = watched.travel_limit[vertex];
+            limit = std::min(limit, travel_share * pair.distance);
+        }
+        const auto owners = owners_of(pair); // the first part, or both
+        if (is_closest[0] && is_closest[owners.size() - 1])
+        {
+            double gap = dhat_;
+            for (const std::int32_t owner : owners)
             {
-                continue;
+                gap = std::min(gap, watched.gap[owner]);
             }
-            for (const std::int32_t vertex : vertices_of(pair))
+            if (pair.distance < gap)
             {
-                double& limit = watched.travel_limit[vertex];
-                limit = std::min(limit, travel_share * pair.distance);
+                watched.pushing.push_back({pair, gap});
             }
-            const auto owners = owners_of(pair); // the first part, or both
-            if (is_closest[0] && is_closest[owners.size() - 1])
-            {
-                double gap = dhat_;
-                for (const std::int32_t owner : owners)
-                {
-                    gap = std::min(gap, watched.gap[owner]);
-                }
-                if (pair.distance < gap)
-                {
-                    watched.pushing.push_back({pair, gap});
-                }
-            }
-            for (std::size_t k = 0; k < 2; ++k)
-            {
-                watched.least[parts[k]] = is_closest[k] ? taken : watched.least[parts[k]];
-            }
+        }
+        for (std::size_t k = 0; k < 2; ++k)
+        {
+            watched.least[parts[k]] = is_closest[k] ? taken : watched.least[parts[k]];
         }
     }
 }
