@@ -7,7 +7,6 @@
 #include <array>
 #include <atomic>
 #include <limits>
-#include <ranges>
 
 namespace corticle
 {
@@ -23,6 +22,19 @@ constexpr double travel_share = 0.4;    ///< of the distance; both sides togethe
 Vec3 at(std::span<const Vec3> x, std::int32_t vertex)
 {
     return x[static_cast<std::size_t>(vertex)];
+}
+
+/// Calls act(pair) for the pairs of all blocks, in order.
+template <class Pair, class Act>
+void for_each_of(const std::vector<std::vector<Pair>>& blocks, Act&& act)
+{
+    for (const std::vector<Pair>& block : blocks)
+    {
+        for (const Pair& pair : block)
+        {
+            act(pair);
+        }
+    }
 }
 
 /// Those whose closest pair may push: the vertex of a triangle, or both edges.
@@ -210,45 +222,48 @@ void SurfaceContact::choose(Watch<Pair>& watched) const
     constexpr double taken = -1.0;
     std::ranges::fill(watched.travel_limit, travel_share * dhat_);
     std::ranges::fill(watched.least, std::numeric_limits<double>::infinity());
-    for (const Pair& pair : watched.near | std::views::join)
-    {
-        for (const std::int32_t part : parts_of(pair))
-        {
-            watched.least[part] = std::min(watched.least[part], pair.distance);
-        }
-    }
+    for_each_of(watched.near,
+                [&](const Pair& pair)
+                {
+                    for (const std::int32_t part : parts_of(pair))
+                    {
+                        watched.least[part] = std::min(watched.least[part], pair.distance);
+                    }
+                });
     watched.pushing.clear();
-    for (const Pair& pair : watched.near | std::views::join)
-    {
-        const auto parts = parts_of(pair);
-        const std::array is_closest{pair.distance == watched.least[parts[0]], pair.distance == watched.least[parts[1]]};
-        if (!is_closest[0] && !is_closest[1])
-        {
-            continue;
-        }
-        for (const std::int32_t vertex : vertices_of(pair))
-        {
-            double& limit = watched.travel_limit[vertex];
-            limit = std::min(limit, travel_share * pair.distance);
-        }
-        const auto owners = owners_of(pair); // the first part, or both
-        if (is_closest[0] && is_closest[owners.size() - 1])
-        {
-            double gap = dhat_;
-            for (const std::int32_t owner : owners)
-            {
-                gap = std::min(gap, watched.gap[owner]);
-            }
-            if (pair.distance < gap)
-            {
-                watched.pushing.push_back({pair, gap});
-            }
-        }
-        for (std::size_t k = 0; k < 2; ++k)
-        {
-            watched.least[parts[k]] = is_closest[k] ? taken : watched.least[parts[k]];
-        }
-    }
+    for_each_of(watched.near,
+                [&](const Pair& pair)
+                {
+                    const auto parts = parts_of(pair);
+                    const std::array is_closest{pair.distance == watched.least[parts[0]],
+                                                pair.distance == watched.least[parts[1]]};
+                    if (!is_closest[0] && !is_closest[1])
+                    {
+                        return;
+                    }
+                    for (const std::int32_t vertex : vertices_of(pair))
+                    {
+                        double& limit = watched.travel_limit[vertex];
+                        limit = std::min(limit, travel_share * pair.distance);
+                    }
+                    const auto owners = owners_of(pair); // the first part, or both
+                    if (is_closest[0] && is_closest[owners.size() - 1])
+                    {
+                        double gap = dhat_;
+                        for (const std::int32_t owner : owners)
+                        {
+                            gap = std::min(gap, watched.gap[owner]);
+                        }
+                        if (pair.distance < gap)
+                        {
+                            watched.pushing.push_back({pair, gap});
+                        }
+                    }
+                    for (std::size_t k = 0; k < 2; ++k)
+                    {
+                        watched.least[parts[k]] = is_closest[k] ? taken : watched.least[parts[k]];
+                    }
+                });
 }
 
 template <class Pair>
