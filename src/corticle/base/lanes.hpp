@@ -17,9 +17,14 @@ namespace corticle
 /// starts.
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
 #define CORTICLE_EVERY_ISA [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
+#define CORTICLE_RUNS(isa) __builtin_cpu_supports(isa)
 #else
 #define CORTICLE_EVERY_ISA
+#define CORTICLE_RUNS(isa) false
 #endif
+
+/// Doubles in a register, in the build of such a function that the processor at hand runs.
+inline const int register_lanes = CORTICLE_RUNS("x86-64-v4") ? 8 : CORTICLE_RUNS("x86-64-v3") ? 4 : 2;
 
 /// Eight doubles in one SIMD register, or in two or four, as the processor has it. Arithmetic and comparisons go lane
 /// by lane; `mask ? a : b` chooses lane by lane.

@@ -4,10 +4,8 @@
 #include "corticle/base/lanes.hpp"
 #include "corticle/base/mat3.hpp"
 
-#include <cstdint>
-
-// What pairs contribute to F and to the forces, and the sum over the neighbours of one particle. They know neither
-// threads nor materials. Symbols as in docs/theory/tlsph.md.
+// What pairs contribute to F and to the forces, and what the sums over the neighbours of one particle (pair_sums.hpp)
+// give. Neither threads nor materials are known here. Symbols as in docs/theory/tlsph.md.
 //
 // Both sums are of differences X_j - X_i and x_j - x_i. Multiplied out, what depends on i leaves the sum, and what is
 // left, sum_j w_ij (thirteen numbers of j), needs no arithmetic on pairs but the multiplication with the weight. A
@@ -24,52 +22,6 @@ struct alignas(64) BasicPairTerms
     BasicVec3<Real> vector; ///< its fourth lane holds a scalar of its own
 };
 using PairTerms = BasicPairTerms<double>;
-
-/// The neighbours j of one particle i.
-struct NeighborRange
-{
-    const std::uint16_t* place; ///< of j in the table of terms
-    const float* weight;        ///< w_ij
-    std::int64_t count;
-};
-
-/// How far ahead of the pair at hand weights and places are asked for: their lists follow one another in memory.
-inline constexpr std::int64_t pairs_ahead = 256;
-
-/// sum_j w_ij terms_j
-CORTICLE_INLINE void sum_terms(const NeighborRange& neighbors, const PairTerms* terms, PairTerms& sum)
-{
-    // Four pairs of sums, not one: each waits only for its own last addition.
-    constexpr std::int64_t stride = 4;
-    WideLanes low[stride]{};
-    WideLanes high[stride]{};
-    const auto add = [&](std::int64_t s, double w, const PairTerms& term)
-    {
-        const auto* lanes = reinterpret_cast<const WideMemory*>(&term);
-        low[s] += w * lanes[0];
-        high[s] += w * lanes[1];
-    };
-    std::int64_t k = 0;
-    for (; k + wide_lanes <= neighbors.count; k += wide_lanes)
-    {
-        // Through memory: a load spreads a number over all lanes, which is cheaper than to move it out of one.
-        alignas(64) double w[wide_lanes];
-        read_soon(neighbors.weight + k + pairs_ahead);
-        read_soon(neighbors.place + k + pairs_ahead);
-        *reinterpret_cast<WideMemory*>(w) = widen(neighbors.weight + k);
-        for (std::int64_t m = 0; m < wide_lanes; ++m)
-        {
-            add(m % stride, w[m], terms[neighbors.place[k + m]]);
-        }
-    }
-    for (; k < neighbors.count; ++k)
-    {
-        add(0, static_cast<double>(neighbors.weight[k]), terms[neighbors.place[k]]);
-    }
-    auto* result = reinterpret_cast<WideMemory*>(&sum);
-    result[0] = (low[0] + low[1]) + (low[2] + low[3]);
-    result[1] = (high[0] + high[1]) + (high[2] + high[3]);
-}
 
 /// What particle j contributes to F of its neighbours: x' X'^T, x' and |x'|².
 CORTICLE_INLINE PairTerms deformation_terms(const Vec3& X, const Vec3& x)

@@ -4,6 +4,7 @@
 #include "corticle/tissue/growth.hpp"
 #include "corticle/tissue/neo_hookean.hpp"
 #include "corticle/tissue/wide_tissue.hpp"
+#include "corticle/tlsph/pair_sums.hpp"
 #include "corticle/tlsph/response.hpp"
 
 #include <limits>
@@ -23,12 +24,6 @@ struct Block
     Vec3 X_origin;
     Vec3 x_origin;
 
-    CORTICLE_INLINE NeighborRange neighbors(std::int64_t i) const
-    {
-        const PairBlocks& pairs = particles.pairs;
-        const std::int64_t first = pairs.begin[i];
-        return {pairs.place.data() + first, pairs.weight.data() + first, pairs.begin[i + 1] - first};
-    }
     std::span<const std::int32_t> table() const { return particles.pairs.table_of(begin / particles.pairs.block_size); }
 };
 
@@ -70,7 +65,7 @@ CORTICLE_INLINE DeformationSums<double> sum_deformation(const Block& block, cons
                                                         const std::vector<PairTerms>& terms)
 {
     PairTerms sum;
-    sum_terms(block.neighbors(i), terms.data(), sum);
+    sum_terms(block.particles.pairs, i, terms.data(), sum);
     return deformation_sums(sum, block.particles.X[i] - block.X_origin, x[i] - block.x_origin,
                             block.particles.weighted_sum[i]);
 }
@@ -87,7 +82,7 @@ CORTICLE_INLINE DeformationSums<WideLanes> sum_deformation(const Block& block, c
     PairTerms sums[wide_lanes];
     for (std::int64_t lane = 0; lane < group.count; ++lane)
     {
-        sum_terms(block.neighbors(group.first + lane), terms.data(), sums[lane]);
+        sum_terms(block.particles.pairs, group.first + lane, terms.data(), sums[lane]);
     }
     const WideGroup among{0, group.count};
     const BasicPairTerms<WideLanes> sum{
@@ -237,7 +232,7 @@ CORTICLE_EVERY_ISA void force_block(const Block& block, std::vector<PairTerms>& 
     for (std::int64_t i = block.begin; i < block.end; ++i)
     {
         PairTerms sum;
-        sum_terms(block.neighbors(i), terms.data(), sum);
+        sum_terms(block.particles.pairs, i, terms.data(), sum);
         forces[i] += neighbors_force(sum, X[i] - block.X_origin, records[i].x - block.x_origin);
     }
 }
