@@ -48,19 +48,10 @@ inline int thread_number()
 #endif
 }
 
-/// Calls body(begin, end) for consecutive blocks of [0, count); blocks run concurrently, in any order. Where an item
-/// takes long, smaller blocks give each thread its part. The body must not throw.
-template <class Body>
-void parallel_blocks(std::int64_t count, Body&& body, std::int64_t block_size = parallel_block)
+/// Number of blocks of [0, count).
+constexpr std::int64_t block_count(std::int64_t count, std::int64_t block_size = parallel_block)
 {
-    const std::int64_t blocks = (count + block_size - 1) / block_size;
-    const std::int64_t chunk = block_size == parallel_block ? 2 : 1;
-#pragma omp parallel for schedule(dynamic, chunk) if (blocks > 1)
-    for (std::int64_t block = 0; block < blocks; ++block)
-    {
-        const std::int64_t begin = block * block_size;
-        body(begin, std::min(begin + block_size, count));
-    }
+    return (count + block_size - 1) / block_size;
 }
 
 /// Calls body(begin, end) for consecutive blocks of [0, count).
@@ -71,15 +62,19 @@ struct BlockLoop
     Body body;
     std::int64_t block_size = parallel_block;
 
-    std::int64_t blocks() const { return (count + block_size - 1) / block_size; }
+    std::int64_t blocks() const { return block_count(count, block_size); }
+    void run_block(std::int64_t block) const
+    {
+        const std::int64_t begin = block * block_size;
+        body(begin, std::min(begin + block_size, count));
+    }
     /// The part of the calling thread: a run of blocks, as many as every other thread has.
-    void run() const
+    void run_part() const
     {
 #pragma omp for schedule(static) nowait
         for (std::int64_t block = 0; block < blocks(); ++block)
         {
-            const std::int64_t begin = block * block_size;
-            body(begin, std::min(begin + block_size, count));
+            run_block(block);
         }
     }
 };
@@ -108,7 +103,21 @@ void parallel_runs(const BlockLoop<Bodies>&... loops)
 {
 #pragma omp parallel if ((loops.blocks() + ...) > 1)
     {
-        (loops.run(), ...);
+        (loops.run_part(), ...);
+    }
+}
+
+/// Calls body(begin, end) for consecutive blocks of [0, count); blocks run concurrently, in any order. Where an item
+/// takes long, smaller blocks give each thread its part. The body must not throw.
+template <class Body>
+void parallel_blocks(std::int64_t count, Body&& body, std::int64_t block_size = parallel_block)
+{
+    const BlockLoop<Body&> loop{count, body, block_size};
+    const std::int64_t chunk = block_size == parallel_block ? 2 : 1;
+#pragma omp parallel for schedule(dynamic, chunk) if (loop.blocks() > 1)
+    for (std::int64_t block = 0; block < loop.blocks(); ++block)
+    {
+        loop.run_block(block);
     }
 }
 
@@ -149,8 +158,7 @@ T parallel_reduce(std::int64_t count, T initial, BlockValue&& block_value, Join&
                   std::int64_t block_size = parallel_block)
 {
     static_assert(!std::same_as<T, bool>, "the elements of vector<bool> share bytes, which threads may not");
-    const std::int64_t blocks = (count + block_size - 1) / block_size;
-    std::vector<T> partial(static_cast<std::size_t>(blocks), initial);
+    std::vector<T> partial(static_cast<std::size_t>(block_count(count, block_size)), initial);
     parallel_blocks(
         count,
         [&](std::int64_t begin, std::int64_t end)
@@ -168,7 +176,7 @@ T parallel_reduce(std::int64_t count, T initial, BlockValue&& block_value, Join&
 template <class T, class Append>
 void parallel_list(std::int64_t count, std::vector<T>& all, Append&& append, std::int64_t block_size = parallel_block)
 {
-    std::vector<std::vector<T>> parts(static_cast<std::size_t>((count + block_size - 1) / block_size));
+    std::vector<std::vector<T>> parts(static_cast<std::size_t>(block_count(count, block_size)));
     parallel_blocks(
         count, [&](std::int64_t begin, std::int64_t end) { append(begin, end, parts[begin / block_size]); },
         block_size);

@@ -134,7 +134,7 @@ auto SurfaceContact::watching(std::span<const Pair> pairs, Watch<Pair>& watched)
 template <class Pair>
 auto SurfaceContact::measuring(std::span<const Vec3> x, std::span<const Pair> pairs, Watch<Pair>& watched) const
 {
-    watched.near.resize((pairs.size() + parallel_block - 1) / parallel_block);
+    watched.near.resize(static_cast<std::size_t>(block_count(std::ssize(pairs))));
     return BlockLoop{std::ssize(pairs), [this, x, pairs, &watched](std::int64_t begin, std::int64_t end)
                      {
                          const double rounding = 1e-9 * dhat_; // more than additions round off

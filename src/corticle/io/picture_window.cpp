@@ -5,6 +5,7 @@
 #include "corticle/base/parallel.hpp"
 #include "corticle/io/atomic_file.hpp"
 #include "corticle/io/color_map.hpp"
+#include "corticle/io/quiet_vtk.hpp"
 
 #include <fmt/format.h>
 
@@ -75,6 +76,7 @@ vtkRenderWindow* picture_window(int width, int height)
     // Never deleted: at the end of the program the display may have gone before it.
     static vtkRenderWindow* const window = []
     {
+        silence_vtk();
         vtkRenderWindow* const made = vtkRenderWindow::New();
         made->SetShowWindow(false);
         made->SetOffScreenRendering(1);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "corticle/io/pictures.hpp"
-#include "corticle/io/quiet_vtk.hpp"
 
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>

@@ -168,7 +168,6 @@ void render_cut(const std::filesystem::path& png, const CutInput& input, const C
                 const std::string& title, double half_width)
 {
     require_display(png);
-    silence_vtk();
     const Section section = section_of(input, half_width > 0.0 ? half_width : fitting_half_width(input));
     save_page(png, title,
               [&](vtkRenderer* page)
@@ -183,7 +182,6 @@ void render_cut_pair(const std::filesystem::path& png, const std::array<CutInput
                      const std::array<std::string, 2>& captions, const ColorScale& scale, const std::string& title)
 {
     require_display(png);
-    silence_vtk();
     const double half_width = std::max(fitting_half_width(inputs[0]), fitting_half_width(inputs[1]));
     save_page(png, title,
               [&](vtkRenderer* page)

@@ -198,7 +198,6 @@ void fill_chart(vtkChartXY* chart, const Panel& panel)
 void render_plot(const std::filesystem::path& png, std::span<const Panel> panels, const std::string& title)
 {
     require_display(png);
-    silence_vtk();
     const int count = std::max(1, static_cast<int>(panels.size()));
     const int across = std::min(count, columns);
     const int rows = (count + columns - 1) / columns;

@@ -291,7 +291,6 @@ std::future<void> start_renderer()
     return std::async(std::launch::async,
                       []
                       {
-                          silence_vtk();
                           const std::array<Vec3, 3> corners{{{0, 0, 0}, {1, 0, 0}, {0, 1, 1}}};
                           const std::array<Triangle, 1> triangle{{{0, 1, 2}}};
                           const ColorScale scale{"one", 0.0, 1.0};
@@ -307,7 +306,6 @@ void render_surface(std::span<const Vec3> points, std::span<const Triangle> tria
 {
     assert(!points.empty() && !colored.empty());
     require_display(colored.front().png);
-    silence_vtk();
     std::vector<Coloring> colorings;
     for (const SurfacePicture& one : colored)
     {
@@ -333,7 +331,6 @@ void render_surface_pair(const std::filesystem::path& png, const std::array<Surf
                          const ColorScale& scale, const std::string& title)
 {
     require_display(png);
-    silence_vtk();
     const double half_width = std::max(fitting_half_width(surfaces[0].points), fitting_half_width(surfaces[1].points));
     std::vector<PagePanel> panels;
     for (std::size_t column = 0; column < surfaces.size(); ++column)
@@ -355,7 +352,6 @@ void render_surface_grid(const std::filesystem::path& png, std::size_t count, st
                          const std::string& title)
 {
     require_display(png);
-    silence_vtk();
     const auto rows = static_cast<int>((count + columns - 1) / columns);
     const int width = static_cast<int>(columns) * tile_width + bar_room;
     const int height = rows * tile_height + title_height;

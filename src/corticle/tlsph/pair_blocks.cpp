@@ -20,7 +20,7 @@ using Tables = std::vector<std::vector<std::int32_t>>;
 Tables tables_of(const Neighbors& neighbors, std::int64_t block_size)
 {
     const std::int64_t count = std::ssize(neighbors.begin) - 1;
-    const std::int64_t blocks = (count + block_size - 1) / block_size;
+    const std::int64_t blocks = block_count(count, block_size);
     Tables tables(static_cast<std::size_t>(blocks));
     parallel_for(blocks,
                  [&](std::int64_t block)
