@@ -47,13 +47,13 @@ void contact_detection(benchmark::State& state)
 
 constexpr double usual_way = 0.025; ///< of the fastest vertex in a step of a folding sphere [spacings]
 
-/// Distances, forces and travel limits of the pairs at hand. The surface goes to and fro, since pairs are not measured
+/// Distances and forces of the pairs at hand. The surface goes to and fro, since pairs are not measured
 /// again before something has moved.
 void contact_force(benchmark::State& state)
 {
     const FoldedSphere& surface = made_for<FoldedSphere>(state.range(0));
     SurfaceContact contact(surface.rest.triangles, surface.rest.vertices, std::vector<double>(surface.x.size(), 0.5),
-                           1.0, {});
+                           1.0, 2.5, {});
     const std::vector<Vec3> velocity(surface.x.size());
     std::vector<Vec3> forces(surface.x.size());
     std::vector<Vec3> moved = surface.x;

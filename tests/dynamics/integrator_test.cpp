@@ -4,14 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 namespace corticle
 {
 namespace
 {
-
-constexpr double no_limit = std::numeric_limits<double>::infinity();
 
 /// A mass on a spring, pulled out along (1, 2, 2) / 3 and let go.
 struct Oscillator
@@ -35,7 +32,7 @@ struct Oscillator
     {
         motion.force[0] = -stiffness * motion.x[0];
         Motion next = motion;
-        const StepEnergies energies = advance(motion, std::vector{mass}, std::vector{no_limit}, dt, damping, next);
+        const StepEnergies energies = advance(motion, std::vector{mass}, dt, damping, next);
         motion = next;
         damped += energies.damped;
         return energies;
@@ -93,31 +90,12 @@ TEST(Advance, DampingDecaysExactlyWhateverTheStep)
     double damped = 0.0;
     for (const double dt : {0.1, 2.0, 0.4})
     {
-        damped += advance(motion, std::vector{1.5}, std::vector{no_limit}, dt, 0.8, next).damped;
+        damped += advance(motion, std::vector{1.5}, dt, 0.8, next).damped;
         motion = next;
     }
     const Vec3 expected = std::exp(-0.8 * 2.5) * Vec3{4, -5, 6};
     EXPECT_LT(norm(motion.v[0] - expected), 1e-14);
     EXPECT_NEAR(damped, 0.5 * 1.5 * (77.0 - squared_norm(expected)), 1e-12);
-}
-
-TEST(Advance, StopsAtTheTravelLimitAndBooksTheEnergy)
-{
-    const Motion motion{
-        {Vec3{}, Vec3{}, Vec3{}}, {Vec3{3, 0, 4}, Vec3{3, 0, 4}, Vec3{3, 0, 4}}, {Vec3{}, Vec3{}, Vec3{}}};
-    Motion next = motion;
-    // Travel 0.5 in a step of 0.1: far above, exactly at and below its limit.
-    const StepEnergies energies =
-        advance(motion, std::vector{2.0, 2.0, 2.0}, std::vector{0.1, 0.500001, no_limit}, 0.1, 0.0, next);
-    EXPECT_EQ(energies.limited, 1);
-    EXPECT_NEAR(norm(next.x[0]), 0.1, 1e-15);
-    EXPECT_LT(norm(next.v[0] - 0.2 * Vec3{3, 0, 4}), 1e-14); // shortened, not turned
-    EXPECT_LT(norm(next.x[0] - 0.1 * next.v[0]), 1e-15);
-    EXPECT_EQ(next.v[1], motion.v[1]);
-    EXPECT_EQ(next.v[2], motion.v[2]);
-    EXPECT_NEAR(energies.stopped, 25.0 - 1.0, 1e-13); // m v² / 2 at 5 and at 1
-    EXPECT_NEAR(energies.kinetic, 25.0 + 25.0 + 1.0, 1e-13);
-    EXPECT_NEAR(energies.damped, 0.0, 1e-13);
 }
 
 TEST(Advance, EnergyBooksBalance)

@@ -6,7 +6,6 @@
 #include "corticle/tlsph/solver.hpp"
 #include "fem/small_tets.hpp"
 
-#include <limits>
 #include <memory>
 
 namespace corticle::test
@@ -83,7 +82,6 @@ template <class Stop>
 bool move(Solid& solid, Motion& motion, std::span<const Vec3> loads, const std::vector<Vec3>& freedom, double cfl,
           Stop&& stop)
 {
-    const std::vector<double> no_limit(solid.mass.size(), std::numeric_limits<double>::infinity());
     double time = 0.0;
     for (;;)
     {
@@ -94,7 +92,7 @@ bool move(Solid& solid, Motion& motion, std::span<const Vec3> loads, const std::
         }
         const double dt = critical_step(cfl, solid.spacing, response.stiffest_rate);
         Motion next = motion;
-        const double kinetic = advance(motion, solid.mass, no_limit, dt, 0.0, next).kinetic;
+        const double kinetic = advance(motion, solid.mass, dt, 0.0, next).kinetic;
         motion = std::move(next);
         time += dt;
         if (stop(motion, time, kinetic))

@@ -72,6 +72,14 @@ class SurfaceParts
 
     std::span<const Triangle> triangles() const { return triangles_; }
     std::span<const Edge> edges() const { return edges_; }
+    std::array<std::int32_t, 4> vertices_of(const VertexTriangle& pair) const
+    {
+        return corticle::vertices_of(pair, triangles_.data());
+    }
+    std::array<std::int32_t, 4> vertices_of(const EdgeEdge& pair) const
+    {
+        return corticle::vertices_of(pair, edges_.data());
+    }
 
     /// Sets `found` to the pairs closer than `range` plus the reach of both their parts, that of an edge or a triangle
     /// being the largest of its vertices. The result depends on the positions and the reach alone.

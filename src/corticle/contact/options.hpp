@@ -8,7 +8,7 @@ struct ContactOptions
 {
     bool enabled = true;
     double distance = 0.3;  ///< dhat: surfaces closer than this repel [spacings]
-    double stiffness = 0.1; ///< k in units of m_eff / dt²
+    double stiffness = 0.5; ///< of a pair at its gap, in units of m (c_p / h)²
 };
 
 } // namespace corticle

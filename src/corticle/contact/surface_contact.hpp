@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/contact/candidates.hpp"
+#include "corticle/base/vec3.hpp"
+#include "corticle/contact/barrier.hpp"
+#include "corticle/contact/near_pairs.hpp"
 #include "corticle/contact/options.hpp"
+#include "corticle/contact/travel_limit.hpp"
+
+#include <optional>
 
 namespace corticle
 {
@@ -10,111 +15,82 @@ namespace corticle
 /// What one evaluation of the contact forces tells.
 struct ContactResponse
 {
-    double energy = 0.0;           ///< sum of k (gap - d)² / 2 [mu_w mm³]
-    double dissipated_power = 0.0; ///< by the normal damping [mu_w mm³ per unit of time]
-    std::int64_t active = 0;       ///< pairs that push
+    double energy = 0.0;     ///< sum of the barriers' energies: a potential [mu_w mm³]
+    std::int64_t active = 0; ///< vertices and edges that repel
+    /// Largest frequency of the vertices on the springs that their pairs are now, from above [1 / time].
+    double largest_rate = 0.0;
 };
 
 /// Self-contact of a closed surface: vertex against triangle and edge against edge, on current positions.
 ///
-/// A pair closer than its gap repels along the line between its closest points with k (gap - d), and is damped
-/// critically while it approaches. k = stiffness · m_eff / dt²: as stiff as the step allows, whatever the material.
-/// Only the closest triangle of a vertex and the mutually closest edges push. Pairs that are closer than dhat in the
-/// reference have that distance as their gap: rest is free of contact stress.
-/// No vertex may move in one step more than 0.4 of its distance to the nearest primitive it is no part of
-/// (`travel_limit`), so two surfaces cannot cross.
+/// Every vertex repels the triangle closest to it, and every edge the edge closest to it, where the distance is below
+/// the gap of that vertex or edge (`Barrier`). The energy is a function of the distances to the closest alone, so it
+/// is continuous wherever another becomes the closest, and the forces are minus its gradient. The gap is dhat, or the
+/// distance in the reference where that is smaller: rest is free of contact stress.
+/// `hold_apart` sees to it that no two parts cross, whatever the forces are.
 class SurfaceContact
 {
   public:
-    /// @param rest     reference positions of the surface vertices [mm]
-    /// @param masses   of the vertices
-    /// @param spacing  particle spacing [mm]
+    /// @param rest      reference positions of the surface vertices [mm]
+    /// @param masses    of the vertices
+    /// @param spacing   particle spacing h [mm]
+    /// @param frequency wave speed over spacing: a spring of stiffness m · frequency² is about as stiff as the tissue
+    ///                  [1 / time]
     SurfaceContact(std::span<const Triangle> triangles, std::span<const Vec3> rest, std::vector<double> masses,
-                   double spacing, const ContactOptions& options);
+                   double spacing, double frequency, const ContactOptions& options);
 
-    /// Adds the contact forces at positions x with velocities v to `forces` (all per surface vertex) and sets the
-    /// travel limits.
-    /// @param dt  the step the stiffness is scaled to
+    /// Adds the contact forces at positions x to `forces` (both per surface vertex).
+    /// @param v, dt  velocities and about the next step; they change no result, see NearPairs::update
     ContactResponse evaluate(std::span<const Vec3> x, std::span<const Vec3> v, double dt, std::span<Vec3> forces);
 
-    /// Largest displacement of each vertex in the next step [mm].
-    std::span<const double> travel_limit() const { return travel_limit_; }
+    /// Changes displacements [mm] of vertices from the positions last evaluated where parts would come closer than is
+    /// safe, see TravelLimit. @return the vertices whose displacement has changed, in ascending order
+    std::span<const std::int32_t> hold_apart(std::span<Vec3> displacements)
+    {
+        return travel_limit_->apply(near_, displacements);
+    }
 
     /// Distance below which surfaces repel [mm].
-    double activation_distance() const { return dhat_; }
+    double activation_distance() const { return near_.range(); }
 
   private:
-    /// A near pair that pushes where its closest points allow it.
+    /// Those that repel their closest: the vertices or the edges.
     template <class Pair>
-    struct Pushing
+    struct Owners
     {
-        Pair pair;
-        double gap; ///< [mm]
+        std::vector<Barrier> barrier;
+        std::vector<Pair> closest; ///< of each its closest near pair
+        std::vector<std::int32_t> repelling;
     };
-    /// What it pushes with.
     struct Push
     {
         std::array<std::int32_t, 4> vertex;
         std::array<double, 4> weight; ///< of the force on each vertex
         Vec3 force;                   ///< on the first part [mu_w mm²]
+        double root_stiffness;
         double energy;
-        double dissipated_power;
-        bool acts;
     };
-    /// What is known of candidates, and those of them that are near: closer than dhat now. The path of a pair is the
-    /// length of way its two parts have moved: a pair measured once need not be measured again before that has grown by
-    /// what it was too far.
-    template <class Pair>
-    struct Watch
+    /// What acts on a vertex.
+    struct Load
     {
-        std::vector<double> gap;             ///< of every vertex, or of every edge [mm]
-        std::vector<double> due;             ///< path at which each candidate may be near [mm]
-        std::vector<std::vector<Pair>> near; ///< of blocks of the candidates, in their order, with their distance now
-        std::vector<double> least; ///< of every part, the distance of its closest near pair; -1 once that is found [mm]
-        std::vector<double> travel_limit;   ///< that the near pairs set to each vertex [mm]
-        std::vector<Pushing<Pair>> pushing; ///< those of the near pairs that may push
+        Vec3 force;
+        double root_stiffness = 0.0; ///< r: sum of |w| sqrt(k) of the pushes
     };
-    std::array<std::int32_t, 4> vertices_of(const VertexTriangle& pair) const;
-    std::array<std::int32_t, 4> vertices_of(const EdgeEdge& pair) const;
-    std::array<std::int32_t, 2> parts_of(const VertexTriangle& pair) const;
-    std::array<std::int32_t, 2> parts_of(const EdgeEdge& pair) const;
     template <class Pair>
-    void set_gaps(std::span<const Pair> pairs, Watch<Pair>& watched) const;
+    void set_gaps(const NearPairs::Blocks<Pair>& near, Owners<Pair>& owners) const;
     template <class Pair>
-    auto watching(std::span<const Pair> pairs, Watch<Pair>& watched) const;
+    void choose(const NearPairs::Blocks<Pair>& near, Owners<Pair>& owners) const;
     template <class Pair>
-    auto measuring(std::span<const Vec3> x, std::span<const Pair> pairs, Watch<Pair>& watched) const;
-    double path_of(const VertexTriangle& pair) const;
-    double path_of(const EdgeEdge& pair) const;
-    bool follow(std::span<const Vec3> x);
-    void refresh_candidates(std::span<const Vec3> x, std::span<const Vec3> v, double dt);
-    template <class Pair>
-    void choose(Watch<Pair>& watched) const;
-    template <class Pair>
-    auto working_out(std::span<const Vec3> x, std::span<const Vec3> v, double dt,
-                     std::span<const Pushing<Pair>> pushing, Push* pushes) const;
-    template <class Pair>
-    Push push_of(const Pushing<Pair>& pushing, const ClosestPoints& points, std::span<const Vec3> v, double dt) const;
+    auto working_out(std::span<const Vec3> x, const Owners<Pair>& owners, Push* pushes) const;
+    double largest_rate() const;
 
-    SurfaceParts parts_;
+    NearPairs near_;
     std::vector<double> masses_;
-    double dhat_;
-    double spacing_;
-    double stiffness_;
-
-    // But for the gaps nothing below changes what the next evaluation gives.
-    Candidates candidates_;
-    Watch<VertexTriangle> vertices_;
-    Watch<EdgeEdge> edge_pairs_;
+    Owners<VertexTriangle> vertices_;
+    Owners<EdgeEdge> edges_;
+    std::optional<TravelLimit> travel_limit_; ///< set once the gaps are known
     std::vector<Push> pushes_;
-    std::vector<Vec3> listed_at_; ///< positions the candidates were found at
-    std::vector<double> reach_;   ///< how far each vertex may be from there before they are found anew [mm]
-    std::vector<Vec3> last_x_;
-    std::vector<double> step_;          ///< how far each vertex has moved since the last evaluation [mm]
-    std::vector<double> vertex_path_;   ///< sums of these [mm]
-    std::vector<double> triangle_path_; ///< sums of the largest of the three corners [mm]
-    std::vector<double> edge_path_;     ///< of both ends [mm]
-    std::vector<double> travel_limit_;
+    std::vector<Load> loads_;
 };
 
 } // namespace corticle

@@ -6,8 +6,7 @@
 namespace corticle
 {
 
-StepEnergies advance(const Motion& from, std::span<const double> mass, std::span<const double> travel_limit, double dt,
-                     double damping, Motion& to)
+StepEnergies advance(const Motion& from, std::span<const double> mass, double dt, double damping, Motion& to)
 {
     const double decay = std::exp(-damping * dt);
     const auto count = static_cast<std::int64_t>(mass.size());
@@ -20,17 +19,10 @@ StepEnergies advance(const Motion& from, std::span<const double> mass, std::span
             {
                 const double half_mass = 0.5 * mass[i];
                 const Vec3 driven = from.v[i] + (dt / mass[i]) * from.force[i];
-                Vec3 velocity = decay * driven;
-                const double damped_energy = half_mass * squared_norm(velocity);
-                sum.damped += half_mass * squared_norm(driven) - damped_energy;
-                const double travel = dt * norm(velocity);
-                if (travel > travel_limit[i])
-                {
-                    velocity *= travel_limit[i] / travel;
-                    sum.stopped += damped_energy - half_mass * squared_norm(velocity);
-                    ++sum.limited;
-                }
-                sum.kinetic += half_mass * squared_norm(velocity);
+                const Vec3 velocity = decay * driven;
+                const double kinetic = half_mass * squared_norm(velocity);
+                sum.damped += half_mass * squared_norm(driven) - kinetic;
+                sum.kinetic += kinetic;
                 to.v[i] = velocity;
                 to.x[i] = from.x[i] + dt * velocity;
             }
@@ -40,8 +32,6 @@ StepEnergies advance(const Motion& from, std::span<const double> mass, std::span
         {
             total.kinetic += part.kinetic;
             total.damped += part.damped;
-            total.stopped += part.stopped;
-            total.limited += part.limited;
         });
 }
 

@@ -37,4 +37,16 @@ std::vector<std::pair<std::int32_t, std::int32_t>> self_intersections(const Tria
     return pairs;
 }
 
+std::int64_t intersecting_triangles(const TriangleMesh& surface)
+{
+    std::vector<std::int32_t> triangles;
+    for (const auto& [first, second] : self_intersections(surface))
+    {
+        triangles.push_back(first);
+        triangles.push_back(second);
+    }
+    std::ranges::sort(triangles);
+    return std::ranges::unique(triangles).begin() - triangles.begin();
+}
+
 } // namespace corticle

@@ -12,4 +12,7 @@ namespace corticle
 /// ascending order (CGAL, exact predicates).
 std::vector<std::pair<std::int32_t, std::int32_t>> self_intersections(const TriangleMesh& surface);
 
+/// Number of triangles that cross or overlap another one.
+std::int64_t intersecting_triangles(const TriangleMesh& surface);
+
 } // namespace corticle

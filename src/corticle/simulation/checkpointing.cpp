@@ -45,8 +45,10 @@ Checkpoint to_checkpoint(const State& state, std::span<const Measures> rows, con
                                    state.books.dissipated,
                                    state.lowest_gi_sphere,
                                    state.onset_t,
-                                   state.loading_rate};
-    checkpoint.integers["counters"] = {state.steps, state.rejected_steps, static_cast<std::int64_t>(rows.size())};
+                                   state.loading_rate,
+                                   state.travel_taken.energy};
+    checkpoint.integers["counters"] = {state.steps, state.rejected_steps, state.travel_taken.vertex_steps,
+                                       static_cast<std::int64_t>(rows.size())};
     for (const MeasureColumn& column : measure_columns())
     {
         std::vector<double>& values = checkpoint.scalars[column_name(column)];
@@ -64,7 +66,7 @@ Restored from_checkpoint(const Checkpoint& checkpoint, std::size_t particles, co
     State& state = restored.state;
     state.motion.x = entry(checkpoint.vectors, "position", particles, file);
     state.motion.v = entry(checkpoint.vectors, "velocity", particles, file);
-    const std::vector<double>& clock = entry(checkpoint.scalars, "clock", 8, file);
+    const std::vector<double>& clock = entry(checkpoint.scalars, "clock", 9, file);
     state.t = clock[0];
     state.step_scale = clock[1];
     state.kinetic_energy = clock[2];
@@ -72,10 +74,12 @@ Restored from_checkpoint(const Checkpoint& checkpoint, std::size_t particles, co
     state.lowest_gi_sphere = clock[5];
     state.onset_t = clock[6];
     state.loading_rate = clock[7];
-    const std::vector<std::int64_t>& counters = entry(checkpoint.integers, "counters", 3, file);
+    state.travel_taken.energy = clock[8];
+    const std::vector<std::int64_t>& counters = entry(checkpoint.integers, "counters", 4, file);
     state.steps = counters[0];
     state.rejected_steps = counters[1];
-    restored.rows.resize(static_cast<std::size_t>(counters[2]));
+    state.travel_taken.vertex_steps = counters[2];
+    restored.rows.resize(static_cast<std::size_t>(counters[3]));
     for (const MeasureColumn& column : measure_columns())
     {
         const std::vector<double>& values = entry(checkpoint.scalars, column_name(column), restored.rows.size(), file);

@@ -2,6 +2,7 @@
 #include "corticle/simulation/measures.hpp"
 
 #include "corticle/base/error.hpp"
+#include "corticle/geometry/self_intersections.hpp"
 
 #include <fmt/format.h>
 
@@ -44,6 +45,9 @@ constexpr std::array first_columns{
     MeasureColumn{"extrapolated_elements", "-", &Measures::extrapolated_elements},
     MeasureColumn{"inverted_elements", "-", &Measures::inverted_elements},
     MeasureColumn{"contact_pairs", "-", &Measures::contact_pairs},
+    MeasureColumn{"intersecting_triangles", "-", &Measures::intersecting_triangles},
+    MeasureColumn{"contact_limited_share", "-", &Measures::contact_limited_share},
+    MeasureColumn{"energy_contact_limit", "mu_w mm3", &Measures::energy_contact_limit},
 };
 
 std::vector<MeasureColumn> all_columns()
@@ -134,6 +138,10 @@ Measures measure(const Simulation& simulation, std::span<const Mat3> F, const Su
     m.extrapolated_elements = static_cast<double>(simulation.internal().extrapolated_count);
     m.inverted_elements = static_cast<double>(simulation.internal().inverted_count);
     m.contact_pairs = static_cast<double>(simulation.contact().active);
+    m.intersecting_triangles = static_cast<double>(intersecting_triangles({simulation.surface_positions(), body.cloud.surface_triangles}));
+    m.contact_limited_share = static_cast<double>(state.travel_taken.vertex_steps) /
+                              (static_cast<double>(std::max<std::int64_t>(state.steps, 1)) * static_cast<double>(x.size()));
+    m.energy_contact_limit = state.travel_taken.energy;
     return m;
 }
 

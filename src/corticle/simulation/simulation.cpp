@@ -57,7 +57,7 @@ std::vector<std::int32_t> sorted(std::vector<std::int32_t> numbers)
 
 /// Contact of the body's surface, whose vertices are numbered as in `particles`.
 SurfaceContact contact_of(const Body& body, std::span<const std::int32_t> particles, const std::vector<double>& masses,
-                          const ContactOptions& options)
+                          const TissueOptions& tissue, const ContactOptions& options)
 {
     const auto vertex_of = [&](std::int32_t vertex)
     {
@@ -75,7 +75,8 @@ SurfaceContact contact_of(const Body& body, std::span<const std::int32_t> partic
     {
         rest[static_cast<std::size_t>(vertex_of(vertex))] = body.surface.vertices[static_cast<std::size_t>(vertex)];
     }
-    return {triangles, rest, gather(masses, particles), body.cloud.spacing, options};
+    const double frequency = wave_speed(tissue) / body.cloud.spacing;
+    return {triangles, rest, gather(masses, particles), body.cloud.spacing, frequency, options};
 }
 
 } // namespace
@@ -83,9 +84,8 @@ SurfaceContact contact_of(const Body& body, std::span<const std::int32_t> partic
 Simulation::Simulation(Body& body, const Options& options)
     : body_(body), options_(options), solver_(make_discretization(body, options)), mass_(body.cloud.volumes),
       contact_particles_(sorted(body.cloud.surface_particles)),
-      contact_(contact_of(body, contact_particles_, mass_, options.contact)), total_time_(loading_time(body, options)),
-      damping_(options.dynamics.damping / total_time_),
-      travel_limit_(mass_.size(), std::numeric_limits<double>::infinity())
+      contact_(contact_of(body, contact_particles_, mass_, options.tissue, options.contact)),
+      total_time_(loading_time(body, options)), damping_(options.dynamics.damping / total_time_)
 {
     State start;
     start.t = options.time.start;
@@ -132,13 +132,34 @@ void Simulation::add_contact(Motion& motion)
                            contact_force_[k] = {};
                        }));
     contact_response_ = contact_.evaluate(contact_x_, contact_v_, critical_dt_, contact_force_);
-    const std::span<const double> limit = contact_.travel_limit();
     parallel_runs(each(std::ssize(particles),
-                       [&](std::int64_t k)
-                       {
-                           motion.force[particles[k]] += contact_force_[k];
-                           travel_limit_[particles[k]] = limit[k];
-                       }));
+                       [&](std::int64_t k) { motion.force[particles[k]] += contact_force_[k]; }));
+    if (options_.dynamics.time_step <= 0.0)
+    {
+        critical_dt_ = std::min(critical_dt_, contact_step(options_.dynamics.cfl, contact_response_.largest_rate));
+    }
+}
+
+/// Shortens the step just proposed where the surface would come too close to itself.
+TravelTaken Simulation::hold_apart(double dt)
+{
+    const Stopwatch watch(seconds_.contact);
+    const std::vector<std::int32_t>& particles = contact_particles_;
+    displacement_.resize(particles.size());
+    parallel_runs(each(std::ssize(particles),
+                       [&](std::int64_t k) { displacement_[k] = dt * proposed_.v[particles[k]]; }));
+    TravelTaken taken;
+    for (const std::int32_t vertex : contact_.hold_apart(displacement_))
+    {
+        const std::int32_t i = particles[static_cast<std::size_t>(vertex)];
+        const Vec3 displacement = displacement_[static_cast<std::size_t>(vertex)];
+        const Vec3 velocity = displacement / dt;
+        taken.energy += 0.5 * mass_[i] * (squared_norm(proposed_.v[i]) - squared_norm(velocity));
+        ++taken.vertex_steps;
+        proposed_.v[i] = velocity;
+        proposed_.x[i] = state_.motion.x[i] + displacement;
+    }
+    return taken;
 }
 
 /// Forces, energies and limits at a motion's positions; false when the positions are invalid.
@@ -172,7 +193,10 @@ std::optional<StepEnergies> Simulation::propose(double t, double dt)
     const double damping = damping_ / state_.loading_rate; // drag on what moves as growth does stays the same
     if (options_.dynamics.integrator == Integrator::symplectic_euler)
     {
-        return advance(state_.motion, mass_, travel_limit_, dt, damping, proposed_);
+        StepEnergies energies = advance(state_.motion, mass_, dt, damping, proposed_);
+        travel_taken_ = options_.contact.enabled ? hold_apart(dt) : TravelTaken{};
+        energies.kinetic -= travel_taken_.energy;
+        return energies;
     }
     const double start = state_.t;
     return runge_kutta_.advance(
@@ -185,7 +209,6 @@ void Simulation::step(double t_stop)
     const double allowed = critical_dt_;
     const double viscous_power = viscous_power_;
     const double growth_power = internal_.growth_power;
-    const double contact_power = contact_response_.dissipated_power;
     for (std::int64_t halvings = 0;; ++halvings)
     {
         const double full = allowed * state_.step_scale * state_.loading_rate / total_time_;
@@ -195,15 +218,11 @@ void Simulation::step(double t_stop)
         if (energies && evaluate(proposed_, t))
         {
             std::swap(state_.motion, proposed_);
-            // Damping -c v1 works with the mean velocity (v1 + v2) / 2: its power is 3/4 P1 + 1/4 P2 to second order.
-            const double damped_by_contact = (0.75 * contact_power + 0.25 * contact_response_.dissipated_power) * dt;
-            // The contact stiffness goes with 1/dt²: what a new step adds to the stored energy is no work of the
-            // motion.
-            const double step_ratio = critical_dt_ / allowed;
-            const double stiffened = contact_response_.energy * (1.0 - step_ratio * step_ratio);
             state_.books.growth_work += 0.5 * (growth_power + internal_.growth_power) * (t - state_.t);
-            state_.books.dissipated += energies->damped + energies->stopped + damped_by_contact - stiffened +
-                                       0.5 * (viscous_power + viscous_power_) * dt;
+            state_.books.dissipated +=
+                energies->damped + travel_taken_.energy + 0.5 * (viscous_power + viscous_power_) * dt;
+            state_.travel_taken.energy += travel_taken_.energy;
+            state_.travel_taken.vertex_steps += travel_taken_.vertex_steps;
             state_.kinetic_energy = energies->kinetic;
             adjust_loading(t - state_.t);
             state_.t = t;

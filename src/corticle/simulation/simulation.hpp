@@ -51,6 +51,7 @@ class Simulation
   private:
     InternalResponse internal_forces(Motion& motion, double t);
     void add_contact(Motion& motion);
+    TravelTaken hold_apart(double dt);
     bool evaluate(Motion& motion, double t);
     std::optional<StepEnergies> propose(double t, double dt);
     void adjust_loading(double growth_step);
@@ -72,10 +73,11 @@ class Simulation
     double viscous_power_ = 0.0; ///< of the discretisation's viscosity
     RungeKutta4 runge_kutta_;
     double critical_dt_ = 0.0;
-    std::vector<double> travel_limit_; ///< per particle
     std::vector<Vec3> contact_x_;
     std::vector<Vec3> contact_v_;
     std::vector<Vec3> contact_force_;
+    std::vector<Vec3> displacement_; ///< of the vertices of the surface in the step [mm]
+    TravelTaken travel_taken_; ///< by the step proposed last
     StepSeconds seconds_;
 };
 

@@ -102,6 +102,7 @@ std::string summary_json(const Simulation& simulation, const Measures& last, con
     j["inverted_elements"] = last.inverted_elements;
     j["max_penetration_mm"] = last.max_penetration_mm;
     j["overlap_area_share"] = last.overlap_area_share;
+    j["intersecting_triangles"] = last.intersecting_triangles;
     j["spacing_mm"] = body.cloud.spacing;
     j["neighbours_mean"] = body.report.neighbors_mean;
     j["dropped_pairs"] = body.report.visibility.dropped_pairs;
