@@ -5,8 +5,6 @@
 #include "corticle/geometry/shapes.hpp"
 #include "corticle/geometry/surface_tree.hpp"
 #include "geometry/simple_surfaces.hpp"
-#include "contact/banks.hpp"
-#include "momenta.hpp"
 #include "tlsph/small_body.hpp"
 
 #include <gtest/gtest.h>
@@ -28,8 +26,9 @@ struct Loose
 
     Loose(const TriangleMesh& surface, double spacing)
         : mesh(surface), masses(surface.vertices.size(), 1.0),
-          contact(mesh.triangles, mesh.vertices, masses, spacing, 1.0, {}),
-          motion{mesh.vertices, std::vector<Vec3>(masses.size()), std::vector<Vec3>(masses.size())}
+          contact(mesh.triangles, mesh.vertices, masses, spacing, 1.0, {}), motion{mesh.vertices,
+                                                                                   std::vector<Vec3>(masses.size()),
+                                                                                   std::vector<Vec3>(masses.size())}
     {
     }
 
@@ -138,7 +137,8 @@ TEST(TravelLimit, BanksThatMoveTogetherLoseNothing)
         }
         for (std::size_t k = 0; k < start.size(); ++k)
         {
-            EXPECT_LT(norm(banks.motion.x[k] - start[k] - 100.0 * velocity), 1e-9) << gap;
+            // Of a way of 50: round-off in the distance of banks at their gap is a force.
+            EXPECT_LT(norm(banks.motion.x[k] - start[k] - 100.0 * velocity), 1e-6) << gap;
         }
     }
 }

@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
 
 // Spacing 1: surfaces repel below dhat = 0.3.
 
@@ -75,7 +74,7 @@ TEST(SurfaceContact, BanksRepelBelowTheActivationDistanceOnly)
         EXPECT_GT(upper.z, weaker);
         weaker = upper.z;
         EXPECT_LT(norm(lower + upper), 1e-14 * norm(upper) * 100.0); // a hundred pairs
-        EXPECT_LT(std::hypot(upper.x, upper.y), 1e-12 * upper.z);    // along the normal of the banks
+        EXPECT_LT(std::hypot(upper.x, upper.y), 0.1 * upper.z);      // edges are a little rough to each other
         for (std::size_t k = 0; k < near.forces.size(); ++k)
         {
             EXPECT_GE((k < far.lower_count ? -1.0 : 1.0) * near.forces[k].z, -1e-14);
@@ -99,32 +98,19 @@ SurfaceContact tip_contact()
             {true, 0.3, stiffness}};
 }
 
-TEST(SurfaceContact, RepelsWithTheBarrierOfItsMassAndIsDampedOnApproach)
+TEST(SurfaceContact, RepelsWithTheBarrierOfItsMass)
 {
     SurfaceContact contact = tip_contact();
-    const std::vector<Vec3> x = tip_over_triangle(0.1);
-    std::vector<Vec3> v(6);
-    v[3] = {0.7, 0.0, -2.0};
-    const Evaluated still = evaluate(contact, x);
-    const Evaluated closing = evaluate(contact, x, v);
-    v[3].z = 2.0;
-    const Evaluated opening = evaluate(contact, x, v);
+    const Evaluated result = evaluate(contact, tip_over_triangle(0.1));
     const double k = stiffness * 0.5 * frequency * frequency; // of the vertex, whose mass is 0.5
     const double least = 0.02 * 0.3;
     const double room = 0.1 - least;
     const double at_rest = 0.3 - least;
     const double force = k * 0.3 * (at_rest / room - 1.0);
-    const double mass = 1.0 / (1.0 / 0.5 + (1.0 + 1.0 / 2.0 + 1.0 / 4.0) / 9.0);
-    const double c = std::sqrt(k * mass); // half the critical damping
-    EXPECT_EQ(still.response.active, 1);
-    EXPECT_LT(norm(still.forces[3] - Vec3{0, 0, force}), 1e-13);
-    EXPECT_LT(norm(still.forces[1] + Vec3{0, 0, force / 3.0}), 1e-13);
-    EXPECT_NEAR(still.response.energy, k * 0.3 * (at_rest * std::log(at_rest / room) - at_rest + room), 1e-14);
-    EXPECT_EQ(still.response.dissipated_power, 0.0);
-    EXPECT_LT(norm(closing.forces[3] - Vec3{0, 0, force + c * 2.0}), 1e-13);
-    EXPECT_NEAR(closing.response.dissipated_power, c * 4.0, 1e-13);
-    EXPECT_EQ(opening.forces, still.forces); // nothing holds banks that part
-    EXPECT_EQ(opening.response.dissipated_power, 0.0);
+    EXPECT_EQ(result.response.active, 1);
+    EXPECT_LT(norm(result.forces[3] - Vec3{0, 0, force}), 1e-13);
+    EXPECT_LT(norm(result.forces[1] + Vec3{0, 0, force / 3.0}), 1e-13);
+    EXPECT_NEAR(result.response.energy, k * 0.3 * (at_rest * std::log(at_rest / room) - at_rest + room), 1e-14);
 }
 
 TEST(SurfaceContact, TheForceGrowsWithoutBoundTowardsTheLeastDistance)
@@ -141,23 +127,64 @@ TEST(SurfaceContact, TheForceGrowsWithoutBoundTowardsTheLeastDistance)
     EXPECT_GT(before, 1000.0 * stiffness * 0.5 * frequency * frequency * 0.3);
 }
 
-TEST(SurfaceContact, TheStepFollowsTheStiffness)
+TEST(SurfaceContact, TheRateIsThatOfALoneSpring)
 {
-    // A vertex between heavy plates on a spring k: symplectic Euler is stable below 2 / sqrt(k / m).
     SurfaceContact contact = tip_contact();
-    EXPECT_EQ(evaluate(contact, tip_over_triangle(0.4)).response.stable_step, std::numeric_limits<double>::infinity());
-    double before = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(evaluate(contact, tip_over_triangle(0.4)).response.largest_rate, 0.0);
     for (const double height : {0.29, 0.1, 0.03, 0.01})
     {
         const double room = height - 0.006;
         const double k = stiffness * 0.5 * frequency * frequency * 0.3 * 0.294 / (room * room);
         const double mass = 1.0 / (1.0 / 0.5 + (1.0 + 1.0 / 2.0 + 1.0 / 4.0) / 9.0);
-        const double step = evaluate(contact, tip_over_triangle(height)).response.stable_step;
-        EXPECT_LT(step, 2.0 / std::sqrt(k / mass));
-        EXPECT_GT(step, 0.3 * 2.0 / std::sqrt(k / mass)); // safe, and not absurdly so
-        EXPECT_LT(step, before);
-        before = step;
+        EXPECT_NEAR(evaluate(contact, tip_over_triangle(height)).response.largest_rate / std::sqrt(k / mass), 1.0,
+                    1e-12);
     }
+}
+
+/// Bound of the largest eigenvalue of the stiffness matrix over the masses, by the power method on differences of the
+/// forces.
+TEST(SurfaceContact, TheRateBoundsThatOfManyPairs)
+{
+    const Banks rest(2.0);
+    SurfaceContact contact = contact_of(rest);
+    const std::vector<double> masses = rest.masses();
+    std::vector<Vec3> x = Banks(0.15).mesh.vertices;
+    for (std::size_t k = 0; k < x.size(); ++k)
+    {
+        x[k].z += 0.1 * hash_uniform(2, k);
+    }
+    const Evaluated at = evaluate(contact, x);
+    std::vector<Vec3> direction(x.size());
+    for (std::size_t k = 0; k < x.size(); ++k)
+    {
+        direction[k] = {hash_uniform(3, k) - 0.5, hash_uniform(4, k) - 0.5, hash_uniform(6, k) - 0.5};
+    }
+    double eigenvalue = 0.0;
+    for (int round = 0; round < 200; ++round)
+    {
+        double length = 0.0;
+        for (std::size_t k = 0; k < x.size(); ++k)
+        {
+            length += masses[k] * squared_norm(direction[k]);
+        }
+        std::vector<Vec3> moved = x;
+        for (std::size_t k = 0; k < x.size(); ++k)
+        {
+            direction[k] = direction[k] / std::sqrt(length);
+            moved[k] += 1e-7 * direction[k];
+        }
+        const Evaluated then = evaluate(contact, moved);
+        eigenvalue = 0.0;
+        for (std::size_t k = 0; k < x.size(); ++k)
+        {
+            const Vec3 pull = (at.forces[k] - then.forces[k]) / 1e-7;
+            eigenvalue += dot(direction[k], pull);
+            direction[k] = pull / masses[k];
+        }
+    }
+    EXPECT_GT(eigenvalue, 0.0);
+    EXPECT_GE(at.response.largest_rate * at.response.largest_rate, eigenvalue);
+    EXPECT_LE(at.response.largest_rate * at.response.largest_rate, 6.0 * eigenvalue); // and not absurdly large
 }
 
 TEST(SurfaceContact, ForcesAreMinusTheGradientOfTheEnergy)
@@ -166,7 +193,8 @@ TEST(SurfaceContact, ForcesAreMinusTheGradientOfTheEnergy)
     std::vector<Vec3> x = Banks(0.2).mesh.vertices;
     for (std::size_t k = 0; k < x.size(); ++k) // rough, so that no two pairs are equally close
     {
-        x[k] += Vec3{0.05 * hash_uniform(2, 3 * k), 0.05 * hash_uniform(2, 3 * k + 1), 0.1 * hash_uniform(2, 3 * k + 2)};
+        x[k] +=
+            Vec3{0.05 * hash_uniform(2, 3 * k), 0.05 * hash_uniform(2, 3 * k + 1), 0.1 * hash_uniform(2, 3 * k + 2)};
     }
     const Evaluated at = evaluate(contact, x);
     ASSERT_GT(at.response.active, 30);
@@ -202,8 +230,7 @@ TEST(SurfaceContact, TheEnergyIsContinuousWhereAnotherPairBecomesTheClosest)
         x[k].z += 0.06 * hash_uniform(5, k);
     }
     const double step = 1e-4;
-    const auto slope = [&](const Evaluated& e)
-    { return -sum(std::span(e.forces).subspan(Banks(2.0).lower_count)).x; };
+    const auto slope = [&](const Evaluated& e) { return -sum(std::span(e.forces).subspan(Banks(2.0).lower_count)).x; };
     Evaluated before = evaluate(contact, x);
     double steepest = 0.0;
     for (int k = 0; k < 3000; ++k)
@@ -235,7 +262,7 @@ TEST(SurfaceContact, OnlyTheClosestTrianglePushes)
 {
     // A tip at the origin, a plate 0.1 above it and another 0.244 beside it; their edges are far.
     const std::vector<Triangle> triangles{{0, 1, 2}, {3, 4, 5}, {6, 7, 8}};
-    const std::vector<Vec3> x{{0, 0, 0},        {5, -0.5, -5},          {5, 0.5, -5},          {-0.36, -9, 0.1}, {9, 0, 0.1},
+    const std::vector<Vec3> x{{0, 0, 0},       {5, -0.5, -5},      {5, 0.5, -5},      {-0.36, -9, 0.1}, {9, 0, 0.1},
                               {-0.36, 9, 0.1}, {-0.487, -9, 0.27}, {-0.487, 9, 0.27}, {4.96, 0, -7.52}};
     std::vector<Vec3> rest = x;
     for (std::size_t k = 0; k < 3; ++k)
@@ -296,9 +323,8 @@ TEST(SurfaceContact, HistoryLeavesNoTrace)
         evaluate(used, crumpled(before - 0.005, 4, 0.1), v);
         const Evaluated again = evaluate(used, now, v);
         EXPECT_EQ(again.forces, expected.forces);
-        EXPECT_EQ(again.response.stable_step, expected.response.stable_step);
+        EXPECT_EQ(again.response.largest_rate, expected.response.largest_rate);
         EXPECT_EQ(again.response.energy, expected.response.energy);
-        EXPECT_EQ(again.response.dissipated_power, expected.response.dissipated_power);
     }
 }
 

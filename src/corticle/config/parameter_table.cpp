@@ -236,7 +236,7 @@ std::vector<Parameter> other_parameters()
                   CORTICLE_MEMBER(contact.enabled)),
         parameter("contact.distance", "spacings", above(0.0, 1.0), "Surfaces closer than this repel.",
                   CORTICLE_MEMBER(contact.distance)),
-        parameter("contact.stiffness", "m/dt^2", above(0.0, 1.0), "Contact stiffness in units of what the step allows.",
+        parameter("contact.stiffness", "m (c_p/h)^2", above(0.0, 10.0), "Stiffness of contact beside that of the tissue.",
                   CORTICLE_MEMBER(contact.stiffness)),
         without_clock(parameter("time.start", "", between(0.0, 1.0), "Growth time t of the body as it is given.",
                                 CORTICLE_MEMBER(time.start))),

@@ -138,8 +138,8 @@ auto SurfaceContact::working_out(std::span<const Vec3> x, const Owners<Pair>& ow
                      pairs_at_a_time};
 }
 
-/// Largest eigenvalue of the springs of all pushes on the masses, from above. With a row b of sqrt(k / m_i) w_i for each
-/// push it is that of the matrix of b_p · b_q, whose rows sum to no more than sqrt(k_p) sum_i |w_i| r_i / m_i.
+/// Largest eigenvalue of the springs of all pushes on the masses, from above. With a row b of sqrt(k / m_i) w_i for
+/// each push it is that of the matrix of b_p · b_q, whose rows sum to no more than sqrt(k_p) sum_i |w_i| r_i / m_i.
 double SurfaceContact::largest_rate() const
 {
     double largest = 0.0;

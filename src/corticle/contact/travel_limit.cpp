@@ -188,8 +188,8 @@ void TravelLimit::find_closing(const NearPairs& near, const NearPairs::Blocks<Pa
             const Vec3 direction = normalized(points[k].between);
             const std::size_t first = size_of_first(suspects[k]);
             const double now = separation_along(direction, vertex, first, [&](std::size_t i) { return x[i]; });
-            const double then = separation_along(direction, vertex, first,
-                                                 [&](std::size_t i) { return x[i] + displacements[i]; });
+            const double then =
+                separation_along(direction, vertex, first, [&](std::size_t i) { return x[i] + displacements[i]; });
             // Written so that a NaN counts as closing.
             if (!(now > 0.0 && then >= required_separation(now, least_of(suspects[k]))))
             {
@@ -198,7 +198,8 @@ void TravelLimit::find_closing(const NearPairs& near, const NearPairs::Blocks<Pa
         }
     };
     parallel_blocks(
-        std::ssize(blocks), [&](std::int64_t block, std::int64_t)
+        std::ssize(blocks),
+        [&](std::int64_t block, std::int64_t)
         { find(blocks[static_cast<std::size_t>(block)], closing_[blocks_before + static_cast<std::size_t>(block)]); },
         1);
 }

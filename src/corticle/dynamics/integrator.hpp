@@ -21,8 +21,8 @@ struct Motion
 /// Energies of one step [mu_w mm³].
 struct StepEnergies
 {
-    double kinetic = 0.0;     ///< at the end of the step
-    double damped = 0.0;      ///< taken by the mass-proportional damping
+    double kinetic = 0.0; ///< at the end of the step
+    double damped = 0.0;  ///< taken by the mass-proportional damping
 };
 
 /// One step of symplectic Euler with mass-proportional damping integrated exactly:

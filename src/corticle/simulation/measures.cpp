@@ -138,9 +138,11 @@ Measures measure(const Simulation& simulation, std::span<const Mat3> F, const Su
     m.extrapolated_elements = static_cast<double>(simulation.internal().extrapolated_count);
     m.inverted_elements = static_cast<double>(simulation.internal().inverted_count);
     m.contact_pairs = static_cast<double>(simulation.contact().active);
-    m.intersecting_triangles = static_cast<double>(intersecting_triangles({simulation.surface_positions(), body.cloud.surface_triangles}));
-    m.contact_limited_share = static_cast<double>(state.travel_taken.vertex_steps) /
-                              (static_cast<double>(std::max<std::int64_t>(state.steps, 1)) * static_cast<double>(x.size()));
+    m.intersecting_triangles =
+        static_cast<double>(intersecting_triangles({simulation.surface_positions(), body.cloud.surface_triangles}));
+    m.contact_limited_share =
+        static_cast<double>(state.travel_taken.vertex_steps) /
+        (static_cast<double>(std::max<std::int64_t>(state.steps, 1)) * static_cast<double>(x.size()));
     m.energy_contact_limit = state.travel_taken.energy;
     return m;
 }

@@ -40,9 +40,9 @@ struct Measures : SurfaceMeasures, FoldMeasures
     double extrapolated_elements = 0.0; ///< see InternalResponse
     double inverted_elements = 0.0;     ///< the same
     double contact_pairs = 0.0;
-    double intersecting_triangles = 0.0;  ///< of the surface, with another of its triangles (exact predicates)
-    double contact_limited_share = 0.0;   ///< of all displacements of surface vertices so far: TravelLimit changed them
-    double energy_contact_limit = 0.0;    ///< kinetic energy that it took so far
+    double intersecting_triangles = 0.0; ///< of the surface, with another of its triangles (exact predicates)
+    double contact_limited_share = 0.0;  ///< of all displacements of surface vertices so far: TravelLimit changed them
+    double energy_contact_limit = 0.0;   ///< kinetic energy that it took so far
 };
 
 /// One column of measures.csv: key, unit, member.

@@ -132,8 +132,8 @@ void Simulation::add_contact(Motion& motion)
                            contact_force_[k] = {};
                        }));
     contact_response_ = contact_.evaluate(contact_x_, contact_v_, critical_dt_, contact_force_);
-    parallel_runs(each(std::ssize(particles),
-                       [&](std::int64_t k) { motion.force[particles[k]] += contact_force_[k]; }));
+    parallel_runs(
+        each(std::ssize(particles), [&](std::int64_t k) { motion.force[particles[k]] += contact_force_[k]; }));
     if (options_.dynamics.time_step <= 0.0)
     {
         critical_dt_ = std::min(critical_dt_, contact_step(options_.dynamics.cfl, contact_response_.largest_rate));
@@ -146,8 +146,8 @@ TravelTaken Simulation::hold_apart(double dt)
     const Stopwatch watch(seconds_.contact);
     const std::vector<std::int32_t>& particles = contact_particles_;
     displacement_.resize(particles.size());
-    parallel_runs(each(std::ssize(particles),
-                       [&](std::int64_t k) { displacement_[k] = dt * proposed_.v[particles[k]]; }));
+    parallel_runs(
+        each(std::ssize(particles), [&](std::int64_t k) { displacement_[k] = dt * proposed_.v[particles[k]]; }));
     TravelTaken taken;
     for (const std::int32_t vertex : contact_.hold_apart(displacement_))
     {

@@ -77,7 +77,7 @@ class Simulation
     std::vector<Vec3> contact_v_;
     std::vector<Vec3> contact_force_;
     std::vector<Vec3> displacement_; ///< of the vertices of the surface in the step [mm]
-    TravelTaken travel_taken_; ///< by the step proposed last
+    TravelTaken travel_taken_;       ///< by the step proposed last
     StepSeconds seconds_;
 };
 

@@ -12,7 +12,7 @@ namespace corticle
 struct EnergyBooks
 {
     double growth_work = 0.0; ///< put in by growth
-    double dissipated = 0.0;  ///< taken by damping, contact damping and the travel limit of contact
+    double dissipated = 0.0;  ///< taken by damping and by the travel limit of contact
 };
 
 /// What the travel limit of contact took from the motion.
@@ -33,7 +33,7 @@ struct State
     double loading_rate = 1.0;   ///< dt/dtime in units of 1/T: 1, or more once folds have appeared
     double kinetic_energy = 0.0; ///< [mu_w mm³]
     EnergyBooks books;
-    TravelTaken travel_taken; ///< in all steps so far
+    TravelTaken travel_taken;        ///< in all steps so far
     double lowest_gi_sphere = 1e300; ///< lowest sphere index so far
     double onset_t = -1.0; ///< first t at which the sphere index stands 0.01 above its lowest; negative if not yet
 };

@@ -103,6 +103,8 @@ std::string summary_json(const Simulation& simulation, const Measures& last, con
     j["max_penetration_mm"] = last.max_penetration_mm;
     j["overlap_area_share"] = last.overlap_area_share;
     j["intersecting_triangles"] = last.intersecting_triangles;
+    j["contact_limited_share"] = last.contact_limited_share;
+    j["energy_contact_limit"] = last.energy_contact_limit;
     j["spacing_mm"] = body.cloud.spacing;
     j["neighbours_mean"] = body.report.neighbors_mean;
     j["dropped_pairs"] = body.report.visibility.dropped_pairs;
