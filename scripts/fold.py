@@ -5,6 +5,8 @@
 import argparse
 import hashlib
 import json
+import re
+import signal
 import subprocess
 import sys
 import tomllib
@@ -47,28 +49,77 @@ def status_of(out):
         return None
 
 
+class Stamp:
+    """What `make fold` knows of a run that it began: the fingerprint of its inputs and, once the run has ended, that of
+    the case in its folder, which tells it from a run that somebody else put there."""
+
+    def __init__(self, out):
+        self.out = out
+        self.file = out.parent / f".{out.name}.fold"
+        lines = self.file.read_text(encoding="utf-8", errors="replace").splitlines() if self.file.is_file() else []
+        if self.file.exists() and not (1 <= len(lines) <= 2 and all(re.fullmatch("[0-9a-f]{64}", line) for line in lines)):
+            print(f"fold: {self.file} is not of make fold; move it elsewhere", file=sys.stderr)
+            sys.exit(2)
+        self.inputs, self.case = (lines + [None, None])[:2]
+
+    def case_there(self):
+        case = self.out / "case.toml"
+        return hashlib.sha256(case.read_bytes()).hexdigest() if case.is_file() else None
+
+    def is_of_folder(self):
+        """Whether the run in the folder is the one that was begun."""
+        return self.inputs is not None and self.case == self.case_there()
+
+    def begin(self, inputs):
+        self.file.write_text(f"{inputs}\n", encoding="utf-8")
+
+    def end(self, inputs):
+        case = self.case_there()
+        self.file.write_text(f"{inputs}\n" + (f"{case}\n" if case else ""), encoding="utf-8")
+
+
+def arguments_for(stamp, now, out):
+    """How the run is to be made; None where it is there. What `make fold` did not begin is never overwritten."""
+    if stamp.is_of_folder() and stamp.inputs == now and status_of(out) == "completed":
+        return None
+    began = stamp.inputs == now and stamp.case in (None, stamp.case_there())
+    if began and (out / "checkpoint.h5").is_file():
+        return ["--resume"]
+    return ["--overwrite"] if began or stamp.is_of_folder() else []
+
+
+def wait_for(run):
+    """Passes on what asks the run to end; the run writes its checkpoint before it does."""
+    for number in (signal.SIGTERM, signal.SIGHUP, signal.SIGUSR1, signal.SIGUSR2, signal.SIGXCPU):
+        signal.signal(number, lambda caught, _frame: run.send_signal(caught))
+    while True:
+        try:
+            return run.wait()
+        except KeyboardInterrupt:  # has reached the run too
+            continue
+
+
 def fold(command, case, out):
     """Runs the command unless the run folder holds this very run; returns the exit status."""
-    stamp = out.parent / f".{out.name}.sha256"
+    stamp = Stamp(out)
     now = fingerprint(command, case)
-    same = stamp.is_file() and stamp.read_text(encoding="utf-8").strip() == now
-    if same and status_of(out) == "completed":
+    how = arguments_for(stamp, now, out)
+    if how is None:
         print(f"{out} is complete and current (remove it to fold again)")
         return 0
-    arguments = [str(command), "run", str(case), "--out", str(out)]
-    if same and (out / "checkpoint.h5").is_file():
-        arguments.append("--resume")
-    elif (out / "case.toml").is_file():
-        arguments.append("--overwrite")
+    arguments = [str(command), "run", str(case), "--out", str(out), *how]
     out.parent.mkdir(parents=True, exist_ok=True)
-    stamp.write_text(now + "\n", encoding="utf-8")
+    is_there = (out / "case.toml").exists()
+    if how or not is_there:
+        stamp.begin(now)
     print(" ".join(arguments), flush=True)
     with subprocess.Popen(arguments) as run:
-        while True:  # an interrupt reaches the command too, which writes its checkpoint before it ends
-            try:
-                return run.wait()
-            except KeyboardInterrupt:
-                continue
+        status = wait_for(run)
+    if how or not is_there:
+        stamp.end(now)
+    elif status == 2:
+        print(f"fold: what {out} holds is not of make fold; choose another folder (make fold OUT=...)", file=sys.stderr)
+    return status
 
 
 def report(out):

@@ -79,6 +79,7 @@ struct MeasureArguments
     std::string surface = "triangles"; ///< or "delaunay": made from points
     std::optional<double> length_limit_mm;
     std::filesystem::path out;
+    bool overwrite = false;
     bool json = false;
 };
 int measure_command(const MeasureArguments& arguments);
@@ -102,6 +103,7 @@ struct ExportArguments
     std::string format;
     std::vector<double> times; ///< empty: the last frame
     std::filesystem::path out; ///< empty: RUN/export
+    bool overwrite = false;
     std::string structure = "Cortex";
 };
 int export_command(const ExportArguments& arguments);

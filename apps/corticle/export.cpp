@@ -10,8 +10,8 @@ namespace corticle
 
 int export_command(const ExportArguments& arguments)
 {
-    const std::vector<ExportedFrame> frames =
-        export_run({arguments.run_folder, arguments.format, arguments.times, arguments.out, arguments.structure});
+    const std::vector<ExportedFrame> frames = export_run({arguments.run_folder, arguments.format, arguments.times,
+                                                          arguments.out, arguments.overwrite, arguments.structure});
     for (const ExportedFrame& frame : frames)
     {
         fmt::print("t = {}{}: {}\n", frame.t,

@@ -186,6 +186,7 @@ void add_measure(CLI::App& app, Verb& chosen)
         ->type_name("MM")
         ->check(CLI::PositiveNumber);
     verb->add_option("--out", arguments->out, "Write the surface made from points")->type_name("FILE.vtp");
+    verb->add_flag("--overwrite", arguments->overwrite, "Replace the file of --out");
     verb->add_flag("--json", arguments->json, "As JSON");
     verb->callback([arguments, &chosen] { chosen = [arguments] { return measure_command(*arguments); }; });
 }
@@ -201,6 +202,7 @@ void add_compare(CLI::App& app, Verb& chosen)
         ->type_name("RUN|FILE@WEEK")
         ->required();
     verb->add_option("--out", request.out, "Folder of the report (default: compare_<A>_<B>)")->type_name("DIR");
+    verb->add_flag("--overwrite", request.overwrite, "Replace an earlier report in the folder");
     verb->add_option("--time", request.picture_times,
                      "Growth time of the pictures of two runs; may be repeated (default: half and end)")
         ->type_name("T")
@@ -233,6 +235,7 @@ void add_export(CLI::App& app, Verb& chosen)
         ->type_size(1)
         ->allow_extra_args(false);
     verb->add_option("--out", arguments->out, "Folder to write to (default: RUN/export)")->type_name("DIR");
+    verb->add_flag("--overwrite", arguments->overwrite, "Replace files of earlier exports in the folder");
     verb->add_option("--structure", arguments->structure, "GIFTI: part of the brain, CortexLeft, CortexRight, ...")
         ->capture_default_str()
         ->type_name("NAME");

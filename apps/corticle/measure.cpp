@@ -32,10 +32,22 @@ void print_text(std::span<const SurfaceRow> rows)
     }
 }
 
+void require_new_file(const MeasureArguments& arguments)
+{
+    std::error_code error;
+    const auto status = std::filesystem::symlink_status(arguments.out, error);
+    if (!arguments.out.empty() && std::filesystem::exists(status) && !arguments.overwrite)
+    {
+        throw InputError(fmt::format("--out {}: is there already; expected another name, or --overwrite to replace it",
+                                     arguments.out.string()));
+    }
+}
+
 std::vector<SurfaceRow> measured(const MeasureArguments& arguments)
 {
     if (arguments.surface == "delaunay")
     {
+        require_new_file(arguments);
         return measure_point_surface({arguments.file, arguments.length_limit_mm, arguments.out});
     }
     if (arguments.length_limit_mm || !arguments.out.empty())

@@ -60,7 +60,8 @@ void write_brain()
     constexpr const char* image = "brain.nii.gz";
     for (const char* name : {image, "brain.toml"})
     {
-        if (std::filesystem::exists(name))
+        std::error_code error;
+        if (std::filesystem::exists(std::filesystem::symlink_status(name, error)))
         {
             throw InputError(fmt::format("cannot write {}: it exists, and new never overwrites", name));
         }

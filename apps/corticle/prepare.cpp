@@ -2,6 +2,7 @@
 #include "commands.hpp"
 
 #include "corticle/config/case_file.hpp"
+#include "corticle/simulation/interruption.hpp"
 #include "corticle/simulation/preparation_folder.hpp"
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@ namespace corticle
 
 int prepare_command(const PrepareArguments& arguments)
 {
+    exit_when_interrupted();
     PrepareRequest request;
     request.options = read_case(arguments.case_file, arguments.overrides);
     request.out =

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "corticle/config/case_file.hpp"
+#include "corticle/simulation/interruption.hpp"
 #include "corticle/simulation/run_folder.hpp"
 
 namespace corticle
@@ -11,10 +12,12 @@ namespace corticle
 
 int run_command(const RunArguments& arguments)
 {
+    exit_when_interrupted();
     RunRequest request;
     request.options = read_case(arguments.case_file, arguments.overrides);
     request.out = arguments.out.empty() ? std::filesystem::path("runs") / arguments.case_file.stem() : arguments.out;
-    request.body = std::filesystem::is_directory(arguments.body) ? arguments.body / "body.h5" : arguments.body;
+    std::error_code error;
+    request.body = std::filesystem::is_directory(arguments.body, error) ? arguments.body / "body.h5" : arguments.body;
     request.threads = arguments.threads;
     request.resume = arguments.resume;
     request.overwrite = arguments.overwrite;

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands.hpp"
 
+#include "corticle/simulation/interruption.hpp"
+
 namespace corticle
 {
 
 int sweep_command(SweepRequest request)
 {
+    exit_when_interrupted();
     request.out = request.out.empty() ? std::filesystem::path("runs") / request.file.stem() : request.out;
     return sweep(request) == RunStatus::completed ? exit_status::done : exit_status::interrupted;
 }

@@ -70,7 +70,7 @@ def two_runs(bench):
     bench.check("`gi_sphere`" in report and "Hausdorff" in report, "the report lacks a table")
 
     with nothing_to_draw_with():
-        compared(bench, "a", "b", "--out", "compare_a_b")
+        compared(bench, "a", "b", "--out", "compare_a_b", "--overwrite")
         check_report(bench, "compare_a_b", False) # the pictures of the earlier comparison are gone
         got = compared(bench, "a", "b", "--out", "ab")
         check_report(bench, "ab", False)

@@ -61,6 +61,8 @@ def run(bench):
     bench.accepted("run", "case.toml", "--quiet", "--out", "C", "--body", "body/body.h5")
     check_same(bench, "A", "C", "from a body file", {"threads"})
     bench.check("elements" in bench.accepted("check", "case.toml"), "check says nothing of elements")
+    output = bench.accepted("check", "case.toml", "--set", "solver.method=tlsph")
+    bench.check("particles" in output, "elements do not set the number of particles")
 
 
 def bad_keys(bench):
@@ -69,7 +71,6 @@ def bad_keys(bench):
     def refused(parts, *settings):
         bench.refused(["run", "case.toml", "--out", "out", *[word for s in settings for word in ("--set", s)]], parts)
 
-    refused(["solver.elements", "solver.method", "fem"], "solver.method=tlsph")
     refused(["solver.elements"], "solver.elements=10")
     refused(["geometry.arrangement", "thinned"], "geometry.shape=file", "geometry.file=x.mesh", "geometry.arrangement=thinned")
     refused(["geometry.volumes", "cells"], "geometry.volumes=neighbour_count")

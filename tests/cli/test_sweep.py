@@ -323,6 +323,9 @@ def refusals(bench):
     refused("[600, 800]", "[600, 700, 800]\nzip = \"a\"\n[[axis]]\nkey = \"geometry.seed\"\nvalues = [1]\nzip = \"a\"", "zipped")
     refused("[600, 800]", "[600, 800]\nnames = [\"a\"]", "names")
     refused("[600, 800]", "[600, 800]\nnames = [\"../a\", \"b\"]", "names", "../a")
+    for name in ("", "a\\nb", "\\u0007"):
+        refused("[600, 800]", f'[600, 800]\nnames = ["{name}", "b"]', "names of an axis", "sweep.toml:12", "letters, digits")
+    refused('"J_max"', '""', "measures (sweep.toml:4)", "not empty")
     refused('base = "base.toml"\n', "", "base")
     refused("base.toml", "other.toml", "other.toml")
     refused('"finest"', '"coarsest"', "coarsest", "finest")

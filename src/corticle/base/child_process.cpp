@@ -2,19 +2,26 @@
 #include "corticle/base/child_process.hpp"
 
 #include <fcntl.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
 #include <cstdio>
+#include <new>
 #include <system_error>
+#include <utility>
 
 namespace corticle
 {
 
 namespace
 {
+
+// Exit statuses of the child.
+constexpr int failed = 1;
+constexpr int out_of_memory = 2;
 
 bool write_all(int file, const std::string& bytes)
 {
@@ -46,24 +53,64 @@ std::string read_all(int file)
     }
 }
 
-[[noreturn]] void be_the_child(int out, const std::function<std::string()>& work)
+[[noreturn]] void be_the_child(int out, pid_t parent, const std::function<std::string()>& work)
 {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != parent)
+    {
+        _exit(failed); // the parent ended before the line above
+    }
     const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
     dup2(nowhere, STDOUT_FILENO);
     dup2(nowhere, STDERR_FILENO);
-    bool done = false;
+    int status = failed;
     try
     {
-        done = write_all(out, work());
+        status = write_all(out, work()) ? 0 : failed;
+    }
+    catch (const std::bad_alloc&)
+    {
+        status = out_of_memory;
     }
     catch (...)
     {
-        done = false;
+        status = failed;
     }
-    _exit(done ? 0 : 1); // nothing of the parent is flushed or destroyed twice
+    _exit(status); // nothing of the parent is flushed or destroyed twice
+}
+
+/// The exit status; negative where a signal ended the child, or nothing is known of its end.
+int status_of(pid_t child)
+{
+    int status = 0;
+    pid_t waited = waitpid(child, &status, 0);
+    while (waited < 0 && errno == EINTR)
+    {
+        waited = waitpid(child, &status, 0);
+    }
+    return waited == child && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
 } // namespace
+
+WaitableChildren::WaitableChildren()
+{
+    struct sigaction action
+    {
+    };
+    action.sa_handler = SIG_DFL;
+    sigemptyset(&action.sa_mask);
+    sigaction(SIGCHLD, nullptr, &found_);
+    if (found_.sa_handler == SIG_IGN || (found_.sa_flags & SA_NOCLDWAIT) != 0)
+    {
+        sigaction(SIGCHLD, &action, nullptr);
+    }
+}
+
+WaitableChildren::~WaitableChildren()
+{
+    sigaction(SIGCHLD, &found_, nullptr);
+}
 
 std::optional<std::string> in_child_process(const std::function<std::string()>& work)
 {
@@ -72,12 +119,14 @@ std::optional<std::string> in_child_process(const std::function<std::string()>& 
     {
         throw std::system_error(errno, std::generic_category(), "pipe");
     }
+    const WaitableChildren waitable;
     std::fflush(nullptr);
+    const pid_t parent = getpid();
     const pid_t child = fork();
     if (child == 0)
     {
         close(ends[0]);
-        be_the_child(ends[1], work);
+        be_the_child(ends[1], parent, work);
     }
     const int fork_error = errno;
     close(ends[1]);
@@ -87,15 +136,12 @@ std::optional<std::string> in_child_process(const std::function<std::string()>& 
     {
         throw std::system_error(fork_error, std::generic_category(), "fork");
     }
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR)
+    const int status = status_of(child);
+    if (status == out_of_memory)
     {
+        throw std::bad_alloc();
     }
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
-    {
-        return std::nullopt;
-    }
-    return bytes;
+    return status == 0 ? std::optional(std::move(bytes)) : std::nullopt;
 }
 
 } // namespace corticle

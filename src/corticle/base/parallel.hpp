@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <concepts>
 #include <cstdint>
+#include <exception>
+#include <mutex>
 #include <vector>
 
 #ifdef _OPENMP
@@ -54,6 +56,37 @@ constexpr std::int64_t block_count(std::int64_t count, std::int64_t block_size =
     return (count + block_size - 1) / block_size;
 }
 
+/// The first exception of a loop's threads, to be thrown again after the loop: one that leaves a thread ends the
+/// process. Loops throw nothing but what nobody can foresee, above all std::bad_alloc.
+class LoopFailure
+{
+  public:
+    template <class Work>
+    void guard(Work&& work) noexcept
+    {
+        try
+        {
+            work();
+        }
+        catch (...)
+        {
+            const std::lock_guard lock(mutex_);
+            first_ = first_ ? first_ : std::current_exception();
+        }
+    }
+    void rethrow() const
+    {
+        if (first_)
+        {
+            std::rethrow_exception(first_);
+        }
+    }
+
+  private:
+    std::mutex mutex_;
+    std::exception_ptr first_;
+};
+
 /// Calls body(begin, end) for consecutive blocks of [0, count).
 template <class Body>
 struct BlockLoop
@@ -69,12 +102,12 @@ struct BlockLoop
         body(begin, std::min(begin + block_size, count));
     }
     /// The part of the calling thread: a run of blocks, as many as every other thread has.
-    void run_part() const
+    void run_part(LoopFailure& failure) const
     {
 #pragma omp for schedule(static) nowait
         for (std::int64_t block = 0; block < blocks(); ++block)
         {
-            run_block(block);
+            failure.guard([&] { run_block(block); });
         }
     }
 };
@@ -101,10 +134,12 @@ auto each(std::int64_t count, Body body)
 template <class... Bodies>
 void parallel_runs(const BlockLoop<Bodies>&... loops)
 {
+    LoopFailure failure;
 #pragma omp parallel if ((loops.blocks() + ...) > 1)
     {
-        (loops.run_part(), ...);
+        (loops.run_part(failure), ...);
     }
+    failure.rethrow();
 }
 
 /// Calls body(begin, end) for consecutive blocks of [0, count); blocks run concurrently, in any order. Where an item
@@ -114,11 +149,13 @@ void parallel_blocks(std::int64_t count, Body&& body, std::int64_t block_size = 
 {
     const BlockLoop<Body&> loop{count, body, block_size};
     const std::int64_t chunk = block_size == parallel_block ? 2 : 1;
+    LoopFailure failure;
 #pragma omp parallel for schedule(dynamic, chunk) if (loop.blocks() > 1)
     for (std::int64_t block = 0; block < loop.blocks(); ++block)
     {
-        loop.run_block(block);
+        failure.guard([&] { loop.run_block(block); });
     }
+    failure.rethrow();
 }
 
 /// Calls body(i) for every i of [0, count), concurrently. The body must not throw.

@@ -73,12 +73,6 @@ void check_file_keys(const GeometryOptions& geometry, const Place& place)
 void check_method(const Options& options, const Place& place)
 {
     const GeometryOptions& geometry = options.geometry;
-    if (options.elements && options.method != Method::fem)
-    {
-        throw InputError(fmt::format("solver.elements{} is given, but solver.method{} is \"tlsph\": expected method = "
-                                     "\"fem\"",
-                                     place("solver.elements"), place("solver.method")));
-    }
     const char* const other = geometry.particles ? "geometry.particles" : "geometry.spacing_mm";
     if (options.elements && (geometry.particles || geometry.spacing_mm))
     {

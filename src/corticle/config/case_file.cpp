@@ -93,7 +93,7 @@ void CaseReader::assign_at(const std::string& key, const Value& value, const std
     {
         if (text->find_first_of(std::string_view("\0\n\r", 3)) != std::string::npos)
         {
-            throw InputError(fmt::format("{} ({}): got {}, expected a path", key, where, describe(value)));
+            throw InputError(fmt::format("{} ({}): got {}, expected a path in one line", key, where, describe(value)));
         }
         parameter->set(options_, fs::absolute(base / *text).lexically_normal().string());
     }

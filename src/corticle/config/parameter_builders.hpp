@@ -205,6 +205,13 @@ Parameter path(std::string key, std::string sentence, Access access)
     return result;
 }
 
+/// A key without a default.
+inline Parameter with_example(Parameter parameter, std::string example)
+{
+    parameter.example = std::move(example);
+    return parameter;
+}
+
 /// A growth time that weeks replace where there is a clock.
 inline Parameter without_clock(Parameter parameter)
 {

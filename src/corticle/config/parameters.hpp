@@ -56,6 +56,7 @@ struct Parameter
     std::size_t length = 0;           ///< of a list; 0: any length
     bool is_path = false;             ///< a text that names a file, relative to the case
     std::string sentence;
+    std::string example;                      ///< a valid value as TOML, of a key without a default
     std::function<Value(const Options&)> get; ///< Unsupported where an optional is not given
     std::function<void(Options&, const Value&)> set;
 

@@ -121,10 +121,7 @@ std::string starter_case(const std::string& shape)
                                            parameter.unit.empty() ? "" : " Unit: " + parameter.unit + ".",
                                            range.empty() ? "" : " Range: " + range + ".");
                        const std::string elsewhere = default_text(parameter);
-                       const std::string_view example = !elsewhere.empty()                ? std::string_view(elsewhere)
-                                                        : parameter.kind == Kind::integer ? "1"
-                                                        : parameter.unit == "weeks"       ? "25.0"
-                                                                                          : "0.5";
+                       const std::string& example = elsewhere.empty() ? parameter.example : elsewhere;
                        text +=
                            fmt::format("{}{} = {}\n", value.empty() || is_of_other_shape(parameter, shape) ? "# " : "",
                                        parameter.name(), value.empty() ? example : value);

@@ -222,14 +222,15 @@ std::vector<std::string> given_names(const AxisTable& axis, std::size_t count)
     }
     for (const TomlNode& node : list->children)
     {
-        names.push_back(sweep_text(node, axis.place()));
-        if (!std::ranges::all_of(names.back(), is_plain) || names.back().front() == '.')
+        const auto* name = std::get_if<std::string>(&node.value);
+        if (name == nullptr || name->empty() || !std::ranges::all_of(*name, is_plain) || name->front() == '.')
         {
             throw InputError(
-                fmt::format("names of an axis ({}): got \"{}\", expected letters, digits, \"-\", \"+\" and "
-                            "\".\", this not first",
-                            axis.place().at(*list), printable(names.back())));
+                fmt::format("names of an axis ({}): got {}, expected letters, digits, \"-\", \"+\" and \".\", this "
+                            "not first, between quotes",
+                            axis.place().at(*list), describe(node.value)));
         }
+        names.push_back(*name);
     }
     if (names.size() != count)
     {

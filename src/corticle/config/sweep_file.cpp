@@ -96,7 +96,7 @@ std::vector<std::string> read_texts(const TomlNode& node, const SweepPlace& plac
     std::vector<std::string> texts;
     for (const TomlNode& child : node.children)
     {
-        texts.push_back(sweep_text(child, place));
+        texts.push_back(sweep_text(child, place, node.key));
     }
     return texts;
 }
@@ -108,7 +108,7 @@ std::vector<double> read_times(const TomlNode& node, const SweepPlace& place)
     const std::vector<TomlNode> single{node};
     for (const TomlNode& child : node.kind == TomlNode::Kind::list ? node.children : single)
     {
-        times.push_back(sweep_number(child, place));
+        times.push_back(sweep_number(child, place, node.key));
     }
     if (times.empty() || times.size() > most_times || !std::ranges::is_sorted(times, std::ranges::less_equal{}))
     {

@@ -16,26 +16,27 @@ std::string SweepPlace::at(const TomlNode& node) const
     return fmt::format("{}:{}", printable(name), node.line);
 }
 
-std::string sweep_text(const TomlNode& node, const SweepPlace& place)
+std::string sweep_text(const TomlNode& node, const SweepPlace& place, std::string_view key)
 {
     const auto* text = std::get_if<std::string>(&node.value);
     if (text == nullptr || text->empty() || text->find_first_of(std::string_view("\0\n\r", 3)) != std::string::npos)
     {
-        throw InputError(fmt::format("{} ({}): got {}, expected a string", printable(node.key), place.at(node),
-                                     describe(node.value)));
+        throw InputError(fmt::format("{} ({}): got {}, expected a string{}", printable(key.empty() ? node.key : key),
+                                     place.at(node), describe(node.value),
+                                     text == nullptr ? "" : " that is a line and not empty"));
     }
     return *text;
 }
 
-double sweep_number(const TomlNode& node, const SweepPlace& place)
+double sweep_number(const TomlNode& node, const SweepPlace& place, std::string_view key)
 {
     const auto* integer = std::get_if<std::int64_t>(&node.value);
     const auto* real = std::get_if<double>(&node.value);
     const double number = integer != nullptr ? static_cast<double>(*integer) : (real != nullptr ? *real : NAN);
     if (!std::isfinite(number))
     {
-        throw InputError(fmt::format("{} ({}): got {}, expected a number", printable(node.key), place.at(node),
-                                     describe(node.value)));
+        throw InputError(fmt::format("{} ({}): got {}, expected a number", printable(key.empty() ? node.key : key),
+                                     place.at(node), describe(node.value)));
     }
     return number;
 }

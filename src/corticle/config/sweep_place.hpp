@@ -19,11 +19,13 @@ struct SweepPlace
     std::string at(const TomlNode& node) const;
 };
 
-/// The text of a node. @throws InputError when it is none, or empty
-std::string sweep_text(const TomlNode& node, const SweepPlace& place);
+/// The text of a node. @param key  of the list that the node is in, for the message; else the node has its own
+/// @throws InputError when it is none, empty, or has several lines
+std::string sweep_text(const TomlNode& node, const SweepPlace& place, std::string_view key = {});
 
-/// The number of a node. @throws InputError when it is none, or not finite
-double sweep_number(const TomlNode& node, const SweepPlace& place);
+/// The number of a node. @param key  as for sweep_text
+/// @throws InputError when it is none, or not finite
+double sweep_number(const TomlNode& node, const SweepPlace& place, std::string_view key = {});
 
 /// A value for a key of the case, checked against the table of parameters: file names become absolute, whole numbers
 /// are given to keys that count.

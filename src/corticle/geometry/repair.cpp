@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <new>
 #include <optional>
 
 namespace corticle
@@ -252,6 +253,10 @@ RepairedSurface repair_surface(const TriangleMesh& surface, const std::string& f
                 throw;
             }
             fault = without_name(error.what(), file); // one body with walls inside, cut apart
+        }
+        catch (const std::bad_alloc&)
+        {
+            throw; // no fault of the surface
         }
         catch (const std::exception& error) // of ours, or one that CGAL throws where it is at a loss
         {

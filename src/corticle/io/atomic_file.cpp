@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cerrno>
 #include <exception>
+#include <new>
 #include <string>
 #include <system_error>
 
@@ -120,11 +121,33 @@ void write_atomically(const std::filesystem::path& file, const std::function<voi
         ::unlink(temporary.c_str());
         throw;
     }
+    catch (const std::bad_alloc&)
+    {
+        ::unlink(temporary.c_str());
+        throw;
+    }
     catch (const std::exception& error)
     {
         ::unlink(temporary.c_str());
         fail(file, error.what());
     }
+}
+
+std::string target_of_temporary(std::string_view name)
+{
+    const auto is_number = [](std::string_view text)
+    { return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos; };
+    constexpr std::string_view end = ".tmp";
+    if (!name.starts_with('.') || !name.ends_with(end))
+    {
+        return {};
+    }
+    name = name.substr(1, name.size() - 1 - end.size());
+    const std::size_t dot = name.rfind('.');
+    const std::size_t dash = name.rfind('-');
+    const bool is_ours = dot != std::string_view::npos && dash != std::string_view::npos && dash > dot &&
+                         is_number(name.substr(dot + 1, dash - dot - 1)) && is_number(name.substr(dash + 1));
+    return is_ours ? std::string(name.substr(0, dot)) : std::string();
 }
 
 void flush_names(const std::filesystem::path& folder)

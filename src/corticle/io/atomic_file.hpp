@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
 #include <string_view>
 
 namespace corticle
@@ -16,6 +17,9 @@ void write_atomically(const std::filesystem::path& file,
 
 /// The same for text already in memory.
 void write_text_atomically(const std::filesystem::path& file, std::string_view text);
+
+/// The name of the file that a temporary of this name was to become; empty for names of no temporary.
+std::string target_of_temporary(std::string_view name);
 
 /// Flushes the names of all files in a folder, which are else up to the system: after a power cut a file may be missing
 /// that was written. Some file systems refuse; nothing is lost but that certainty.

@@ -1,27 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/io/folder_lock.hpp"
 
-#include "corticle/base/error.hpp"
-
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <utility>
 
 namespace corticle
 {
 
-FolderLock::FolderLock(const std::filesystem::path& folder)
-    : descriptor_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC))
+std::optional<FolderLock> FolderLock::try_lock(const std::filesystem::path& folder)
 {
-    if (descriptor_ >= 0 && flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    FolderLock lock(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (lock.descriptor_ >= 0 && flock(lock.descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
     {
-        close(descriptor_);
-        throw InputError(fmt::format("--out {}: another process is writing a run there; expected a folder of its own",
-                                     folder.string()));
+        return std::nullopt;
     }
+    return lock;
+}
+
+FolderLock::FolderLock(FolderLock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+FolderLock& FolderLock::operator=(FolderLock&& other) noexcept
+{
+    std::swap(descriptor_, other.descriptor_);
+    return *this;
 }
 
 FolderLock::~FolderLock()

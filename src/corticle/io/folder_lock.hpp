@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 namespace corticle
 {
@@ -11,13 +12,16 @@ namespace corticle
 class FolderLock
 {
   public:
-    /// @throws InputError when another process holds the folder
-    explicit FolderLock(const std::filesystem::path& folder);
+    /// Nothing when another process holds the folder.
+    static std::optional<FolderLock> try_lock(const std::filesystem::path& folder);
+
+    FolderLock(FolderLock&& other) noexcept;
+    FolderLock& operator=(FolderLock&& other) noexcept;
     ~FolderLock();
-    FolderLock(const FolderLock&) = delete;
-    FolderLock& operator=(const FolderLock&) = delete;
 
   private:
+    explicit FolderLock(int descriptor) : descriptor_(descriptor) {}
+
     int descriptor_;
 };
 

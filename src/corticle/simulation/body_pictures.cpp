@@ -125,7 +125,6 @@ double cortex_share(const Body& body)
 
 void render_body(const std::filesystem::path& folder, const Body& body, const BodyQuality& quality)
 {
-    std::filesystem::create_directories(folder);
     const Tissue& tissue = body.tissue;
     const std::vector<Mat3> rest(body.cloud.positions.size(), Mat3::identity());
     const auto [back, front] = std::minmax_element(body.surface.vertices.begin(), body.surface.vertices.end(),

@@ -3,6 +3,7 @@
 
 #include "corticle/simulation/body.hpp"
 
+#include <array>
 #include <filesystem>
 
 namespace corticle
@@ -21,6 +22,9 @@ BodyQuality measure_body_quality(const Body& body);
 
 /// Share of the body's volume that is cortex [-].
 double cortex_share(const Body& body);
+
+/// Names of the pictures that render_body draws.
+inline constexpr std::array body_pictures{"cloud.png", "layer.png", "normals.png", "surface.png", "quality.png"};
 
 /// Pictures of a prepared body: `cloud.png` (cells of the middle cut), `layer.png` (depth), `normals.png`, the surface
 /// (`surface.png`, by regional growth, or by thickness where a map gives it), and `quality.png` (histograms).

@@ -24,6 +24,8 @@ const typename Map::mapped_type& entry(const Map& map, const std::string& name, 
     return found->second;
 }
 
+constexpr std::size_t clock_size = 9;
+
 std::string column_name(const MeasureColumn& column)
 {
     return "measures." + std::string(column.key);
@@ -60,13 +62,18 @@ Checkpoint to_checkpoint(const State& state, std::span<const Measures> rows, con
     return checkpoint;
 }
 
+double reached_time(const Checkpoint& checkpoint, const std::string& file)
+{
+    return entry(checkpoint.scalars, "clock", clock_size, file).front();
+}
+
 Restored from_checkpoint(const Checkpoint& checkpoint, std::size_t particles, const std::string& file)
 {
     Restored restored;
     State& state = restored.state;
     state.motion.x = entry(checkpoint.vectors, "position", particles, file);
     state.motion.v = entry(checkpoint.vectors, "velocity", particles, file);
-    const std::vector<double>& clock = entry(checkpoint.scalars, "clock", 9, file);
+    const std::vector<double>& clock = entry(checkpoint.scalars, "clock", clock_size, file);
     state.t = clock[0];
     state.step_scale = clock[1];
     state.kinetic_energy = clock[2];

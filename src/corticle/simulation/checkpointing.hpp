@@ -10,6 +10,9 @@ namespace corticle
 /// State and measured rows as a checkpoint of the case.
 Checkpoint to_checkpoint(const State& state, std::span<const Measures> rows, const std::string& case_text);
 
+/// The growth time at which a checkpoint was taken. @throws InputError as from_checkpoint
+double reached_time(const Checkpoint& checkpoint, const std::string& file);
+
 /// What to_checkpoint stored.
 struct Restored
 {

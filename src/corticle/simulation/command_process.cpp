@@ -2,6 +2,7 @@
 #include "corticle/simulation/command_process.hpp"
 
 #include "corticle/base/error.hpp"
+#include "corticle/simulation/interruption.hpp"
 
 #include <fmt/format.h>
 
@@ -25,6 +26,7 @@ namespace
 
 constexpr off_t most_output = 4096; // [bytes]
 constexpr int not_started = 127;
+constexpr int unknown_status = 255; ///< somebody else has waited for the process
 
 /// In the child, where only calls are allowed that are safe in a signal handler. Never returns.
 [[noreturn]] void become(char* const* words, int output, pid_t parent, const sigset_t& signals)
@@ -39,8 +41,7 @@ constexpr int not_started = 127;
     dup2(nothing, STDIN_FILENO);
     dup2(output, STDOUT_FILENO);
     dup2(output, STDERR_FILENO);
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
+    reset_interrupting_signals();
     sigprocmask(SIG_SETMASK, &signals, nullptr);
     execv(words[0], words);
     _exit(not_started);
@@ -116,14 +117,15 @@ CommandProcess::~CommandProcess()
 std::optional<ProcessEnd> CommandProcess::poll()
 {
     int status = 0;
-    if (id_ <= 0 || waitpid(id_, &status, WNOHANG) != id_)
+    const pid_t ended = id_ <= 0 ? 0 : waitpid(id_, &status, WNOHANG);
+    if (ended == 0 || (ended < 0 && errno == EINTR))
     {
         return std::nullopt;
     }
     id_ = -1;
     ProcessEnd end;
-    end.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-    end.status = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
+    end.signal = ended > 0 && WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+    end.status = ended < 0 ? unknown_status : WIFEXITED(status) ? WEXITSTATUS(status) : 0;
     end.output = end_of(output_);
     return end;
 }

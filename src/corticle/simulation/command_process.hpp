@@ -19,7 +19,8 @@ struct ProcessEnd
 };
 
 /// A command that runs beside this process, in a process group of its own, so that Ctrl-C reaches only this process.
-/// It gets SIGTERM when this process ends in whatever way. To be started from the main thread.
+/// It gets SIGTERM when this process ends in whatever way. To be started from the main thread, while WaitableChildren
+/// live.
 class CommandProcess
 {
   public:

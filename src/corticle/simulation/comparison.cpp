@@ -3,13 +3,15 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/io/atomic_file.hpp"
+#include "corticle/io/pictures.hpp"
+#include "corticle/io/result_folder.hpp"
 #include "corticle/simulation/real_comparison.hpp"
 #include "corticle/simulation/run_comparison.hpp"
-#include "corticle/simulation/run_files.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace corticle
 {
@@ -19,17 +21,38 @@ namespace
 
 namespace fs = std::filesystem;
 
+constexpr const char* report_file = "report.md";
+constexpr const char* numbers_file = "comparison.json";
+
 bool is_folder(const std::string& path)
 {
     std::error_code error;
     return fs::is_directory(path, error);
 }
 
-/// The last part of a path, without what a file name ends in.
-std::string short_name(const std::string& path)
+/// A path as a part of a name, different where the paths are: "a-run" of a/run. The folder that runs go to by default
+/// is left out.
+std::string name_of(const std::string& path)
 {
-    const fs::path whole = fs::absolute(fs::path(path) / ".").lexically_normal().parent_path();
-    return is_folder(path) ? whole.filename().string() : whole.stem().string();
+    std::error_code error;
+    const fs::path whole = fs::absolute(path, error).lexically_normal();
+    const fs::path from_here = whole.lexically_relative(fs::current_path(error));
+    const bool is_below = !from_here.empty() && *from_here.begin() != ".." && *from_here.begin() != ".";
+    fs::path shown = is_below ? from_here : whole.relative_path();
+    if (!is_folder(path))
+    {
+        shown.replace_extension();
+    }
+    std::string name;
+    for (const fs::path& part : shown)
+    {
+        if (!part.empty() && !(name.empty() && part == "runs"))
+        {
+            name += name.empty() ? "" : "-";
+            name += part.string();
+        }
+    }
+    return name;
 }
 
 fs::path chosen_folder(const ComparisonRequest& request)
@@ -40,52 +63,48 @@ fs::path chosen_folder(const ComparisonRequest& request)
     }
     const std::string& other = request.others.front();
     const std::string second = request.others.size() > 1 ? "real"
-                               : is_folder(other)        ? short_name(other)
-                                                         : short_name(other.substr(0, other.rfind('@')));
-    return fmt::format("compare_{}_{}", short_name(request.run.string()), second);
+                               : is_folder(other)        ? name_of(other)
+                                                         : name_of(other.substr(0, other.rfind('@')));
+    return fmt::format("compare_{}_{}", name_of(request.run.string()), second);
 }
 
-void require_own_folder(const fs::path& folder)
+void require_no_report(const ResultFolder& folder, const ComparisonRequest& request)
 {
-    require_writable_folder(folder);
-    if (is_run_folder(folder))
+    if (is_run_folder(folder.path()))
     {
-        throw InputError(
-            fmt::format("--out {}: holds a run; expected another folder for the comparison", folder.string()));
+        throw InputError(fmt::format("{}: holds a run; expected another folder for the comparison", folder.name()));
     }
-}
-
-/// Pictures of an earlier comparison in the same folder: the new report may show others.
-void remove_earlier_pictures(const fs::path& folder)
-{
-    std::vector<fs::path> files;
-    if (fs::exists(folder / "comparison.json"))
+    if (folder.is_used() && !request.overwrite)
     {
-        for (const auto& item : fs::directory_iterator(folder))
-        {
-            const std::string name = item.path().filename().string();
-            const bool is_ours = name == "measures.png" || name.starts_with("surface_J_") || name.starts_with("cut_J_");
-            if (is_ours && item.path().extension() == ".png")
-            {
-                files.push_back(item.path());
-            }
-        }
+        throw InputError(fmt::format(
+            "{}: holds a report already; expected another folder, or --overwrite to replace it", folder.name()));
     }
-    for (const fs::path& file : files)
-    {
-        fs::remove(file);
-    }
+    folder.require_free(std::array<std::string, 2>{report_file, numbers_file});
 }
 
 template <class Comparison>
-ComparisonOutcome write(const fs::path& folder, const Comparison& comparison)
+ComparisonOutcome write(ResultFolder& folder, const ComparisonRequest& request, const Comparison& comparison)
 {
-    create_folder(folder);
-    remove_earlier_pictures(folder);
-    const Pictures pictures = draw_comparison(folder, comparison);
-    ComparisonOutcome outcome{folder, comparison_json(comparison, pictures), comparison_summary(comparison), pictures};
-    write_text_atomically(folder / "comparison.json", outcome.json);
-    write_text_atomically(folder / "report.md", comparison_report(comparison, pictures));
+    Pictures pictures;
+    std::vector<std::string> files{report_file, numbers_file};
+    if (can_render(pictures.reason))
+    {
+        pictures.files = comparison_pictures(comparison);
+        files.insert(files.end(), pictures.files.begin(), pictures.files.end());
+    }
+    folder.make();
+    require_no_report(folder, request); // again: the comparison may have taken a while
+    folder.require_free(files);
+    folder.remove_written();
+    folder.claim(files);
+    if (!pictures.files.empty())
+    {
+        draw_comparison(folder.path(), comparison);
+    }
+    ComparisonOutcome outcome{folder.path(), comparison_json(comparison, pictures), comparison_summary(comparison),
+                              pictures};
+    write_text_atomically(folder.path() / numbers_file, outcome.json);
+    write_text_atomically(folder.path() / report_file, comparison_report(comparison, pictures));
     return outcome;
 }
 
@@ -93,19 +112,19 @@ ComparisonOutcome write(const fs::path& folder, const Comparison& comparison)
 
 ComparisonOutcome compare(const ComparisonRequest& request)
 {
-    const fs::path folder = chosen_folder(request);
-    require_own_folder(folder);
+    ResultFolder folder(chosen_folder(request), "comparison");
+    require_no_report(folder, request);
     const auto run = std::find_if(request.others.begin(), request.others.end(), is_folder);
     if (run == request.others.end())
     {
-        return write(folder, compare_with_real(request));
+        return write(folder, request, compare_with_real(request));
     }
     if (request.others.size() > 1)
     {
         throw InputError(fmt::format("{}: a folder among {} arguments; expected one other run, or surfaces FILE@WEEK",
                                      *run, request.others.size()));
     }
-    return write(folder, compare_runs({request.run, fs::path(*run)}, request.picture_times));
+    return write(folder, request, compare_runs({request.run, fs::path(*run)}, request.picture_times));
 }
 
 } // namespace corticle

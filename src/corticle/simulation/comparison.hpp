@@ -15,7 +15,8 @@ struct ComparisonRequest
 {
     std::filesystem::path run;
     std::vector<std::string> others;   ///< one run folder, or real surfaces, each FILE@WEEK or FILE@t=T
-    std::filesystem::path out;         ///< empty: compare_<run>_<other>
+    std::filesystem::path out;         ///< empty: compare_<run>_<other>, of the paths as they are given
+    bool overwrite = false;            ///< replace an earlier report in the folder
     std::vector<double> picture_times; ///< growth times of the pictures [-]; empty: half and end
     RealSurfaceOptions real;           ///< how real surfaces are read
 };

@@ -4,15 +4,16 @@
 #include "corticle/base/error.hpp"
 #include "corticle/io/freesurfer.hpp"
 #include "corticle/io/gifti.hpp"
+#include "corticle/io/result_folder.hpp"
 #include "corticle/io/surface_writer.hpp"
 #include "corticle/io/vtk_files.hpp"
-#include "corticle/simulation/run_files.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <set>
 #include <system_error>
@@ -31,7 +32,8 @@ constexpr std::array<std::string_view, 4> formats{"gifti", "freesurfer", "ply", 
 Frames read_frames(const fs::path& run)
 {
     const fs::path file = run / "surface.pvd";
-    if (!fs::exists(file))
+    std::error_code error;
+    if (!fs::exists(file, error))
     {
         throw InputError(
             fmt::format("{}: holds no surface.pvd; expected a run folder made by corticle run", run.string()));
@@ -112,45 +114,68 @@ std::vector<std::pair<Field, std::string>> scalar_fields(const SurfaceFile& surf
     return scalars;
 }
 
-std::vector<std::string> write_frame(const ExportRequest& request, const fs::path& out, const std::string& stem,
-                                     const SurfaceFile& surface)
+/// A file to write, and what writes it.
+using FileWriter = std::pair<std::string, std::function<void(const fs::path&)>>;
+
+/// The files of a frame. They refer to the request and the surface.
+std::vector<FileWriter> frame_writers(const ExportRequest& request, const std::string& stem, const SurfaceFile& surface)
 {
-    const auto& [points, triangles] = surface.mesh;
+    const std::vector<Vec3>& points = surface.mesh.vertices;
+    const std::vector<Triangle>& triangles = surface.mesh.triangles;
     const auto scalars = scalar_fields(surface);
-    std::vector<std::string> files;
-    const auto next = [&](const std::string& name) { return out / files.emplace_back(name); };
+    std::vector<FileWriter> files;
     if (request.format == "ply")
     {
         std::vector<Field> fields;
-        fields.reserve(scalars.size());
         for (const auto& [field, part] : scalars)
         {
             fields.push_back({part, 1, field.values});
         }
-        write_surface_ply(next(stem + ".ply"), points, triangles, fields);
+        files.emplace_back(stem + ".ply",
+                           [&, fields](const fs::path& file) { write_surface_ply(file, points, triangles, fields); });
     }
     else if (request.format == "stl")
     {
-        write_surface_stl(next(stem + ".stl"), points, triangles);
+        files.emplace_back(stem + ".stl", [&](const fs::path& file) { write_surface_stl(file, points, triangles); });
     }
     else if (request.format == "freesurfer")
     {
-        write_surface_freesurfer(next(stem + ".surf"), points, triangles);
+        files.emplace_back(stem + ".surf",
+                           [&](const fs::path& file) { write_surface_freesurfer(file, points, triangles); });
         for (const auto& [field, part] : scalars)
         {
-            write_scalars_freesurfer(next(fmt::format("{}.{}.curv", stem, part)), field.values, triangles.size());
+            files.emplace_back(fmt::format("{}.{}.curv", stem, part),
+                               [&triangles, values = field.values](const fs::path& file)
+                               { write_scalars_freesurfer(file, values, triangles.size()); });
         }
     }
     else
     {
         const std::string structure = request.structure.empty() ? "Cortex" : request.structure;
-        write_surface_gifti(next(stem + ".surf.gii"), points, triangles, structure);
+        files.emplace_back(stem + ".surf.gii", [&, structure](const fs::path& file)
+                           { write_surface_gifti(file, points, triangles, structure); });
         for (const auto& [field, part] : scalars)
         {
-            write_scalars_gifti(next(fmt::format("{}.{}.shape.gii", stem, part)), {&field, 1}, structure);
+            files.emplace_back(fmt::format("{}.{}.shape.gii", stem, part),
+                               [scalar = field, structure](const fs::path& file) {
+                                   write_scalars_gifti(file, {&scalar, 1}, structure);
+                               });
         }
     }
     return files;
+}
+
+/// Refuses to write over anything that was not asked for.
+void require_new(const ResultFolder& folder, const ExportRequest& request, std::span<const std::string> files)
+{
+    folder.require_free(files);
+    const auto earlier = std::ranges::find_if(files, [&](const std::string& file) { return folder.has_written(file); });
+    if (earlier != files.end() && !request.overwrite)
+    {
+        throw InputError(fmt::format("{}: holds {} of an earlier export; expected another folder, or --overwrite to "
+                                     "replace it",
+                                     folder.name(), *earlier));
+    }
 }
 
 } // namespace
@@ -164,15 +189,30 @@ std::vector<ExportedFrame> export_run(const ExportRequest& request)
     const Frames frames = read_frames(request.run);
     const auto chosen = chosen_frames(frames, request.times);
     const int decimals = decimals_for(frames);
-    const fs::path out = request.out.empty() ? request.run / "export" : request.out;
+    const auto stem = [&](std::size_t index) { return fmt::format("surface_t{:.{}f}", frames[index].first, decimals); };
+    ResultFolder folder(request.out.empty() ? request.run / "export" : request.out, "export");
     std::vector<ExportedFrame> exported;
+    std::vector<std::string> all;
+    for (const auto& [index, asked] : chosen) // all names first: nothing is written where one is taken
+    {
+        const SurfaceFile surface = read_surface_vtp(request.run / frames[index].second);
+        exported.push_back({frames[index].first, asked, {}});
+        for (const auto& [name, write] : frame_writers(request, stem(index), surface))
+        {
+            exported.back().files.push_back(name);
+            all.push_back(name);
+        }
+    }
+    require_new(folder, request, all);
+    folder.make();
+    folder.claim(all);
     for (const auto& [index, asked] : chosen)
     {
-        const auto& [t, name] = frames[index];
-        const SurfaceFile surface = read_surface_vtp(request.run / name);
-        create_folder(out);
-        exported.push_back(
-            {t, asked, write_frame(request, out, fmt::format("surface_t{:.{}f}", t, decimals), surface)});
+        const SurfaceFile surface = read_surface_vtp(request.run / frames[index].second);
+        for (const auto& [name, write] : frame_writers(request, stem(index), surface))
+        {
+            write(folder.path() / name);
+        }
     }
     return exported;
 }

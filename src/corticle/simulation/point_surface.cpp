@@ -80,7 +80,8 @@ fs::path carried_file(const fs::path& file)
         return {};
     }
     const fs::path carried = file.parent_path() / ("surface_" + name.substr(10, name.size() - 14) + ".vtp");
-    return fs::exists(carried) ? carried : fs::path();
+    std::error_code error;
+    return fs::exists(carried, error) ? carried : fs::path();
 }
 
 /// Places on a surface, the area each stands for, and how far it is from another surface.

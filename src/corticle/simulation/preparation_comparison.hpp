@@ -5,6 +5,7 @@
 #include "corticle/simulation/body.hpp"
 #include "corticle/tlsph/evenness.hpp"
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -104,6 +105,9 @@ std::string comparison_text(const PreparationComparison& comparison);
 
 /// What is per particle, for a particle file. The fields refer to the comparison.
 std::vector<Field> comparison_fields(const PreparationComparison& comparison);
+
+/// Names of the pictures that write_comparison_pictures draws.
+inline constexpr std::array thesis_pictures{"thesis_normals.png", "thesis_volumes.png", "thesis_layer.png"};
 
 /// Cross-sections through the middle of the body: `thesis_normals.png`, `thesis_volumes.png`, `thesis_layer.png`, each
 /// with the thesis's layer on the left. Needs a display or Xvfb, see io/pictures.hpp.

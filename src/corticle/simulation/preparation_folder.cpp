@@ -6,13 +6,12 @@
 #include "corticle/cloud/quality.hpp"
 #include "corticle/config/case_file.hpp"
 #include "corticle/io/atomic_file.hpp"
-#include "corticle/io/folder_lock.hpp"
 #include "corticle/io/pictures.hpp"
+#include "corticle/io/result_folder.hpp"
 #include "corticle/io/vtk_files.hpp"
 #include "corticle/simulation/body_file.hpp"
 #include "corticle/simulation/body_pictures.hpp"
 #include "corticle/simulation/preparation_comparison.hpp"
-#include "corticle/simulation/run_files.hpp"
 #include "corticle/simulation/summary.hpp"
 
 #include <fmt/format.h>
@@ -32,30 +31,37 @@ namespace
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<const char*, 5> files{"body.h5", "case.toml", "particles.vtu", "surface.vtp", "preparation.json"};
+constexpr std::array files{"body.h5", "case.toml", "particles.vtu", "surface.vtp", "preparation.json"};
 
-void require_free_folder(const PrepareRequest& request)
+/// Where a picture lies in the folder.
+std::string picture(std::string_view name)
 {
-    const fs::path& out = request.out;
-    std::error_code error;
-    if (fs::exists(out, error) && !fs::is_directory(out, error))
+    return fmt::format("pictures/{}", name);
+}
+
+/// All that a preparation writes.
+std::vector<std::string> written_files(const PrepareRequest& request, bool with_pictures)
+{
+    std::vector<std::string> all(files.begin(), files.end());
+    if (with_pictures)
     {
-        throw InputError(fmt::format("--out {}: is not a folder; expected one that can be written", out.string()));
+        std::ranges::transform(body_pictures, std::back_inserter(all), picture);
     }
-    if (fs::exists(out / "run.log", error))
+    if (with_pictures && request.compare_thesis)
     {
-        throw InputError(fmt::format("--out {}: holds a run; expected another folder", out.string()));
+        std::ranges::transform(thesis_pictures, std::back_inserter(all), picture);
     }
-    if (fs::exists(out / "case.toml", error) && !request.overwrite)
+    return all;
+}
+
+void require_free_folder(const ResultFolder& folder, const PrepareRequest& request)
+{
+    if (folder.is_used() && !request.overwrite)
     {
-        throw InputError(fmt::format("--out {}: holds a prepared body already; expected another folder, or --overwrite",
-                                     out.string()));
+        throw InputError(fmt::format(
+            "{}: holds a prepared body already; expected another folder, or --overwrite to replace it", folder.name()));
     }
-    if (fs::exists(out / "case.toml", error) && !fs::exists(out / "preparation.json", error))
-    {
-        throw InputError(
-            fmt::format("--out {}: holds a case that is no preparation; expected another folder", out.string()));
-    }
+    folder.require_free(written_files(request, request.options.output.pictures == "on"));
 }
 
 std::vector<double> flattened(std::span<const Vec3> vectors)
@@ -193,7 +199,8 @@ std::string prepare(const PrepareRequest& request)
 {
     const auto start = std::chrono::steady_clock::now();
     set_thread_count(request.threads);
-    require_free_folder(request);
+    ResultFolder folder(request.out, "prepared body");
+    require_free_folder(folder, request);
     Body body = arrange_body(request.options);
     connect_body(request.options, body);
     const BodyQuality quality = measure_body_quality(body);
@@ -206,23 +213,22 @@ std::string prepare(const PrepareRequest& request)
         report["thesis_comparison"] = Json::parse(comparison_json(*comparison));
     }
 
-    create_folder(request.out);
-    const FolderLock lock(request.out);
-    for (const char* file : files)
-    {
-        fs::remove(request.out / file);
-    }
+    folder.make();
+    require_free_folder(folder, request); // again: the body may have taken a while
+    folder.remove_written();
+    std::string reason;
+    const bool draws = request.options.output.pictures == "on" && can_render(reason);
+    folder.claim(written_files(request, draws));
     write_body(request.out / "body.h5", body, request.options);
     write_text_atomically(request.out / "case.toml", to_toml(request.options));
     write_views(request.out, body, quality);
-    std::string reason;
-    if (request.options.output.pictures == "on" && can_render(reason))
+    if (draws)
     {
         render_body(request.out / "pictures", body, quality);
-        if (comparison)
-        {
-            write_comparison_pictures(request.out / "pictures", body, *comparison);
-        }
+    }
+    if (draws && comparison)
+    {
+        write_comparison_pictures(request.out / "pictures", body, *comparison);
     }
     write_text_atomically(request.out / "preparation.json", report.dump(2) + "\n");
     std::string text = report_text(report);

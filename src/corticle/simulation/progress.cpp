@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/simulation/progress.hpp"
 
+#include "corticle/base/terminal.hpp"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -34,13 +36,13 @@ void Progress::update(const Simulation& simulation)
     const std::vector<Vec3> x = simulation.surface_positions();
     const double left = (t_end_ - state.t) / std::max((state.t - t_drawn_) / since, 1e-12);
     const int width = static_cast<int>(24.0 * state.t / t_end_);
-    fmt::print(
-        stderr,
-        "\r[{:=<{}}{: <{}}] t {:.4f}  step {}  {:.0f} steps/s  {:.0f}:{:02.0f} left  area x{:.3f}  J >= {:.3f} \033[K",
-        "", width, "", 24 - width, state.t, state.steps, static_cast<double>(state.steps - steps_drawn_) / since,
-        std::floor(left / 60.0), std::fmod(left, 60.0),
-        surface_area(x, simulation.body().cloud.surface_triangles) / area_0_, simulation.internal().smallest_J);
-    std::fflush(stderr);
+    show(stderr,
+         fmt::format("\r[{:=<{}}{: <{}}] t {:.4f}  step {}  {:.0f} steps/s  {:.0f}:{:02.0f} left  area x{:.3f}  J >= "
+                     "{:.3f} \033[K",
+                     "", width, "", 24 - width, state.t, state.steps,
+                     static_cast<double>(state.steps - steps_drawn_) / since, std::floor(left / 60.0),
+                     std::fmod(left, 60.0), surface_area(x, simulation.body().cloud.surface_triangles) / area_0_,
+                     simulation.internal().smallest_J));
     drawn_at_ = Clock::now();
     t_drawn_ = state.t;
     steps_drawn_ = state.steps;
@@ -50,8 +52,7 @@ void Progress::clear() const
 {
     if (shown_)
     {
-        fmt::print(stderr, "\r\033[K");
-        std::fflush(stderr);
+        show(stderr, "\r\033[K");
     }
 }
 

@@ -36,8 +36,11 @@ struct RealComparison
 /// @WEEK) or that the run cannot know (a week for a run without a clock), and when the run reaches none of them
 RealComparison compare_with_real(const ComparisonRequest& request);
 
+/// Names of the pictures that draw_comparison draws.
+std::vector<std::string> comparison_pictures(const RealComparison& comparison);
+
 /// Draws measures.png. @throws RunError
-Pictures draw_comparison(const std::filesystem::path& folder, const RealComparison& comparison);
+void draw_comparison(const std::filesystem::path& folder, const RealComparison& comparison);
 
 /// comparison.json: see docs/guide/compare.md for the keys.
 std::string comparison_json(const RealComparison& comparison, const Pictures& pictures);

@@ -15,6 +15,8 @@ namespace corticle
 namespace
 {
 
+constexpr const char* measures_plot = "measures.png";
+
 using Json = nlohmann::ordered_json;
 
 std::string real_section(const RealComparison& comparison, const RealSurface& real)
@@ -76,15 +78,14 @@ std::vector<Panel> panels_of(const RealComparison& comparison)
 
 } // namespace
 
-Pictures draw_comparison(const std::filesystem::path& folder, const RealComparison& comparison)
+std::vector<std::string> comparison_pictures(const RealComparison& /*comparison*/)
 {
-    Pictures pictures;
-    if (can_render(pictures.reason))
-    {
-        render_plot(folder / "measures.png", panels_of(comparison), comparison.run_name + " beside real surfaces");
-        pictures.files.emplace_back("measures.png");
-    }
-    return pictures;
+    return {measures_plot};
+}
+
+void draw_comparison(const std::filesystem::path& folder, const RealComparison& comparison)
+{
+    render_plot(folder / measures_plot, panels_of(comparison), comparison.run_name + " beside real surfaces");
 }
 
 std::string comparison_json(const RealComparison& comparison, const Pictures& pictures)

@@ -62,8 +62,11 @@ struct JComparison
 /// @throws InputError when one is not a run folder, is damaged, or they have no such time
 JComparison compare_last_J(const std::array<std::filesystem::path, 2>& folders, double latest);
 
+/// Names of the pictures that draw_comparison draws.
+std::vector<std::string> comparison_pictures(const RunComparison& comparison);
+
 /// Draws measures.png and, for each pictured time, surface_J_*.png and cut_J_*.png. @throws RunError
-Pictures draw_comparison(const std::filesystem::path& folder, const RunComparison& comparison);
+void draw_comparison(const std::filesystem::path& folder, const RunComparison& comparison);
 
 /// comparison.json: see docs/guide/compare.md for the keys.
 std::string comparison_json(const RunComparison& comparison, const Pictures& pictures);

@@ -11,6 +11,8 @@ namespace corticle
 namespace
 {
 
+constexpr const char* measures_plot = "measures.png";
+
 /// A panel of a measure against t, each run at its own output times; no curves where neither has it.
 Panel measure_panel(const RunComparison& comparison, std::string_view key)
 {
@@ -75,14 +77,19 @@ std::vector<double> together(const std::vector<double>& a, const std::vector<dou
     return both;
 }
 
-/// Surface and cut by J of one time; returns the files.
-std::array<std::string, 2> draw_frame(const std::filesystem::path& folder, const RunComparison& comparison,
-                                      const FramePair& pair)
+/// Names of the pictures of one time: surface and cut.
+std::array<std::string, 2> picture_files(const FramePair& pair)
+{
+    const std::string name = pair.files[0].name();
+    return {fmt::format("surface_J_{}.png", name), fmt::format("cut_J_{}.png", name)};
+}
+
+/// Surface and cut by J of one time.
+void draw_frame(const std::filesystem::path& folder, const RunComparison& comparison, const FramePair& pair)
 {
     const std::array frames{read_frame(pair.files[0]), read_frame(pair.files[1])};
     const std::array J{volume_ratios(frames[0]), volume_ratios(frames[1])};
-    std::array<std::string, 2> files{fmt::format("surface_J_{}.png", frames[0].name),
-                                     fmt::format("cut_J_{}.png", frames[0].name)};
+    const std::array<std::string, 2> files = picture_files(pair);
     std::array<std::string, 2> captions;
     std::array<SurfaceInput, 2> surfaces;
     for (std::size_t run = 0; run < 2; ++run)
@@ -99,26 +106,28 @@ std::array<std::string, 2> draw_frame(const std::filesystem::path& folder, const
     cuts[1].coordinate = middle;
     render_cut_pair(folder / files[1], cuts, captions, robust_scale("J = det F", together(J[0], J[1]), "viridis"),
                     "Cuts by volume ratio J");
-    return files;
 }
 
 } // namespace
 
-Pictures draw_comparison(const std::filesystem::path& folder, const RunComparison& comparison)
+std::vector<std::string> comparison_pictures(const RunComparison& comparison)
 {
-    Pictures pictures;
-    if (!can_render(pictures.reason))
-    {
-        return pictures;
-    }
-    render_plot(folder / "measures.png", panels_of(comparison), "Measures against growth time");
-    pictures.files.emplace_back("measures.png");
+    std::vector<std::string> files{measures_plot};
     for (const std::size_t k : comparison.pictured)
     {
-        const auto files = draw_frame(folder, comparison, comparison.frames[k]);
-        pictures.files.insert(pictures.files.end(), files.begin(), files.end());
+        const auto pictures = picture_files(comparison.frames[k]);
+        files.insert(files.end(), pictures.begin(), pictures.end());
     }
-    return pictures;
+    return files;
+}
+
+void draw_comparison(const std::filesystem::path& folder, const RunComparison& comparison)
+{
+    render_plot(folder / measures_plot, panels_of(comparison), "Measures against growth time");
+    for (const std::size_t k : comparison.pictured)
+    {
+        draw_frame(folder, comparison, comparison.frames[k]);
+    }
 }
 
 } // namespace corticle

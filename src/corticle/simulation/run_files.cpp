@@ -5,9 +5,9 @@
 #include "corticle/config/case_file.hpp"
 #include "corticle/io/atomic_file.hpp"
 #include "corticle/io/vtk_files.hpp"
+#include "corticle/simulation/run_pictures.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 
@@ -21,42 +21,32 @@ namespace fs = std::filesystem;
 
 constexpr double same_time = 1e-9;
 
-/// What a process that was killed left of a file it was writing aside.
-bool is_leftover(const fs::path& file)
+/// All files that a run may write.
+std::vector<std::string> planned_files(const Options& options)
 {
-    return file.filename().string().starts_with('.') && file.extension() == ".tmp";
-}
-
-bool belongs_to_a_run(const fs::path& file)
-{
-    const std::string name = file.filename().string();
-    const auto is = [&](std::string_view start, std::string_view extension)
-    { return name.starts_with(start) && file.extension() == extension; };
-    return name == "case.toml" || name == "summary.json" || name == "measures.csv" || name == "checkpoint.h5" ||
-           name == "run.log" || name == "surface.pvd" || name == "particles.pvd" || is("surface_", ".vtp") ||
-           is("particles_", ".vtu") || is("surface_", ".png") || is("cut_", ".png") || name == "measures.png";
-}
-
-template <class Chosen>
-void remove_files(const fs::path& folder, Chosen&& chosen)
-{
-    for (const fs::path& place : {folder, folder / "pictures"})
+    std::vector<std::string> files = run_files();
+    if (options.output.pictures == "on")
     {
-        std::vector<fs::path> files;
-        if (fs::is_directory(place))
-        {
-            for (const auto& item : fs::directory_iterator(place))
-            {
-                if (item.is_regular_file() && chosen(item.path()))
-                {
-                    files.push_back(item.path());
-                }
-            }
-        }
-        for (const fs::path& file : files)
-        {
-            fs::remove(file);
-        }
+        files.emplace_back(measures_picture);
+    }
+    const std::vector<double> times = output_times(options);
+    const std::vector<bool> with_pictures = picture_flags(options, times);
+    for (std::size_t k = 0; k < times.size(); ++k)
+    {
+        const std::vector<std::string> more = frame_files(frame_name(k), with_pictures[k]);
+        files.insert(files.end(), more.begin(), more.end());
+    }
+    return files;
+}
+
+void require_reachable_end(const RunRequest& request, const Checkpoint& checkpoint)
+{
+    const double reached = reached_time(checkpoint, (request.out / "checkpoint.h5").string());
+    if (request.options.time.end < reached - same_time)
+    {
+        throw InputError(fmt::format("--resume {}: the run has reached t = {:.6g}; got time.end = {:.6g}, expected at "
+                                     "least that",
+                                     request.out.string(), reached, request.options.time.end));
     }
 }
 
@@ -70,31 +60,28 @@ std::size_t nearest(std::span<const double> times, double t)
 
 } // namespace
 
-void require_writable_folder(const fs::path& out)
+std::vector<std::string> run_files()
 {
-    std::error_code error;
-    fs::path existing = fs::absolute(out).lexically_normal();
-    while (!fs::exists(existing, error) && existing.has_relative_path())
-    {
-        existing = existing.parent_path();
-    }
-    if (!fs::is_directory(existing, error) || access(existing.c_str(), W_OK | X_OK) != 0)
-    {
-        throw InputError(fmt::format("--out {}: {} is not a folder that can be written; expected one", out.string(),
-                                     existing.string()));
-    }
+    return {"case.toml", "run.log", "checkpoint.h5", "measures.csv", "surface.pvd", "particles.pvd", "summary.json"};
 }
 
-void require_usable_folder(const RunRequest& request)
+std::vector<std::string> frame_files(const std::string& name, bool with_pictures)
 {
-    require_writable_folder(request.out);
-    std::error_code error;
-    if (fs::exists(request.out / "case.toml", error) && !request.resume && !request.overwrite)
+    std::vector<std::string> files = with_pictures ? frame_pictures(name) : std::vector<std::string>{};
+    files.push_back("surface_" + name + ".vtp");
+    files.push_back("particles_" + name + ".vtu");
+    return files;
+}
+
+void require_usable_folder(const ResultFolder& folder, const RunRequest& request)
+{
+    if (folder.is_used() && !request.resume && !request.overwrite)
     {
-        throw InputError(fmt::format("--out {}: holds a run already; expected another folder, --resume to go on with "
-                                     "it or --overwrite to replace it",
-                                     request.out.string()));
+        throw InputError(fmt::format("{}: holds a run already; expected another folder, --resume to go on with it or "
+                                     "--overwrite to replace it",
+                                     folder.name()));
     }
+    folder.require_free(planned_files(request.options));
 }
 
 std::optional<Checkpoint> find_checkpoint(const RunRequest& request, const std::string& case_text)
@@ -114,38 +101,20 @@ std::optional<Checkpoint> find_checkpoint(const RunRequest& request, const std::
     };
     const fs::path file = request.out / "checkpoint.h5";
     const fs::path case_file = request.out / "case.toml";
-    if (fs::exists(file))
+    std::error_code error;
+    if (fs::exists(file, error))
     {
         Checkpoint checkpoint = read_checkpoint(file);
         require_same_case(checkpoint.case_text, "the checkpoint");
+        require_reachable_end(request, checkpoint);
         return checkpoint;
     }
-    if (fs::exists(case_file)) // stopped before its first checkpoint: starts again, but only if it is the same run
+    if (fs::exists(case_file, error))
     {
+        // Stopped before its first checkpoint: starts again, but only if it is the same run.
         require_same_case(to_toml(read_case(case_file, {})), "its case.toml");
     }
     return std::nullopt;
-}
-
-void create_folder(const fs::path& folder)
-{
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error)
-    {
-        throw InputError(fmt::format("--out {}: cannot be made: {}; expected a folder that can be written",
-                                     folder.string(), error.message()));
-    }
-}
-
-void remove_leftovers(const fs::path& folder)
-{
-    remove_files(folder, is_leftover);
-}
-
-void remove_run(const fs::path& folder)
-{
-    remove_files(folder, [](const fs::path& file) { return belongs_to_a_run(file) || is_leftover(file); });
 }
 
 std::vector<double> output_times(const Options& options)

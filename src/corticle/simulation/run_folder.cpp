@@ -6,8 +6,8 @@
 #include "corticle/base/stopwatch.hpp"
 #include "corticle/config/case_file.hpp"
 #include "corticle/io/atomic_file.hpp"
-#include "corticle/io/folder_lock.hpp"
 #include "corticle/io/pictures.hpp"
+#include "corticle/io/result_folder.hpp"
 #include "corticle/simulation/body_file.hpp"
 #include "corticle/simulation/frames.hpp"
 #include "corticle/simulation/interruption.hpp"
@@ -62,10 +62,10 @@ double earlier_wall(const fs::path& folder)
 class Recorder
 {
   public:
-    Recorder(const RunRequest& request, std::string case_text, std::shared_ptr<spdlog::logger> log,
-             Clock::time_point start, double wall_before, bool draws)
-        : request_(request), case_text_(std::move(case_text)), log_(std::move(log)), start_(start), saved_at_(start),
-          wall_before_(wall_before), draws_(draws)
+    Recorder(const RunRequest& request, ResultFolder& folder, std::shared_ptr<spdlog::logger> log,
+             Clock::time_point start, bool draws)
+        : request_(request), folder_(folder), case_text_(to_toml(request.options)), log_(std::move(log)), start_(start),
+          saved_at_(start), draws_(draws)
     {
     }
 
@@ -73,6 +73,7 @@ class Recorder
     {
         rows_ = std::move(rows);
         first_step_ = steps;
+        wall_before_ = earlier_wall(request_.out);
     }
     /// Whether an output time has been recorded, in this session or an earlier one.
     bool has(double t) const { return !rows_.empty() && rows_.back().t >= t; }
@@ -123,14 +124,32 @@ class Recorder
 
     void summarize(const Simulation& simulation, const std::string& status, const std::string& reason = {})
     {
-        const double session = seconds_since(start_);
         const Measures last = rows_.empty() ? Measures{} : rows_.back();
-        write_text_atomically(request_.out / "summary.json",
-                              summary_json(simulation, last,
-                                           {status, reason, thread_count(), wall_before_ + session, session,
-                                            simulation.state().steps - first_step_, measures_s_, output_s_}));
+        write_text_atomically(
+            request_.out / "summary.json",
+            summary_json(simulation, last, run_info(status, reason, simulation.state().steps - first_step_)));
         log_->info("{} at t = {:.6g} after {} steps, {:.1f} s", status, simulation.state().t, simulation.state().steps,
-                   wall_before_ + session);
+                   wall_before_ + seconds_since(start_));
+    }
+
+    /// The failure of a run; without a simulation one that failed before its first state.
+    void record_failure(const std::optional<Simulation>& simulation, const std::string& reason)
+    {
+        log_->info("failed: {}", reason);
+        try
+        {
+            if (simulation)
+            {
+                summarize(*simulation, "failed", reason);
+                return;
+            }
+            write_text_atomically(request_.out / "summary.json",
+                                  summary_without_state_json(run_info("failed", reason, 0)));
+        }
+        catch (const std::exception&)
+        {
+            // The disk that made the run fail has no room for the summary either; the error itself is reported.
+        }
     }
 
     void draw_measures()
@@ -138,17 +157,26 @@ class Recorder
         if (draws_)
         {
             const Stopwatch watch(output_s_);
+            folder_.claim(std::array{std::string(measures_picture)});
             render_measures(request_.out, rows_);
         }
     }
 
   private:
+    RunInfo run_info(const std::string& status, const std::string& reason, std::int64_t steps) const
+    {
+        const double session = seconds_since(start_);
+        return {status, reason, thread_count(), wall_before_ + session, session, steps, measures_s_, output_s_};
+    }
+
     /// Files and pictures of an output time.
     void write(const Simulation& simulation, std::vector<Mat3> F, const PhysicalScale& scale,
                const SurfaceArrays& arrays, bool with_pictures)
     {
         const Stopwatch watch(output_s_);
-        Frame frame = make_frame(simulation, std::move(F), scale, frame_name(rows_.size() - 1));
+        const std::string name = frame_name(rows_.size() - 1);
+        folder_.claim(frame_files(name, with_pictures && draws_));
+        Frame frame = make_frame(simulation, std::move(F), scale, name);
         frame.sulcal_depth = arrays.folds.sulcal_depth;
         frame.mean_curvature = arrays.folds.curvature.mean;
         write_frame(request_.out, simulation, frame, arrays);
@@ -160,11 +188,12 @@ class Recorder
     }
 
     const RunRequest& request_;
+    ResultFolder& folder_;
     std::string case_text_;
     std::shared_ptr<spdlog::logger> log_;
     Clock::time_point start_;
     Clock::time_point saved_at_;
-    double wall_before_;
+    double wall_before_ = 0.0; ///< of earlier sessions
     std::int64_t first_step_ = 0;
     std::vector<Measures> rows_;
     double measures_s_ = 0.0;
@@ -207,11 +236,50 @@ bool fold(Simulation& simulation, Recorder& recorder, const Options& options, bo
     return true;
 }
 
-Body body_of(const RunRequest& request)
+/// What is ready before the run folder is touched.
+struct Start
 {
-    Body body = request.body.empty() ? arrange_body(request.options) : read_body(request.body, request.options);
-    connect_body(request.options, body);
-    return body;
+    Body body;
+    std::optional<Restored> restored;
+    bool draws = false;
+    std::string no_pictures; ///< why pictures that were asked for are not drawn
+};
+
+Start prepare_start(const RunRequest& request, std::optional<Checkpoint> checkpoint)
+{
+    Start start;
+    start.draws = request.options.output.pictures == "on" && can_render(start.no_pictures);
+    start.body = request.body.empty() ? arrange_body(request.options) : read_body(request.body, request.options);
+    // Not earlier: Gmsh works in a child process, and locks that the renderer's threads hold at a fork stay held there.
+    std::future<void> renderer = start.draws ? start_renderer() : std::future<void>{};
+    connect_body(request.options, start.body);
+    if (start.draws)
+    {
+        renderer.get();
+    }
+    if (checkpoint)
+    {
+        start.restored =
+            from_checkpoint(*checkpoint, start.body.cloud.positions.size(), (request.out / "checkpoint.h5").string());
+    }
+    return start;
+}
+
+/// The folder of a run that begins or goes on, without anything of a run that is replaced.
+void open_folder(ResultFolder& folder, const RunRequest& request, const std::string& case_text, bool goes_on)
+{
+    folder.make();
+    require_usable_folder(folder, request); // again: the body may have taken a while
+    if (goes_on)
+    {
+        folder.remove_leftovers();
+    }
+    else
+    {
+        folder.remove_written();
+    }
+    folder.claim(run_files());
+    write_text_atomically(folder.path() / "case.toml", case_text);
 }
 
 void log_body(spdlog::logger& log, const Body& body)
@@ -244,89 +312,65 @@ void log_body(spdlog::logger& log, const Body& body)
     }
 }
 
+/// From the start, or from where it was left, to the end or an interruption. What fails is recorded.
+RunStatus record_run(const RunRequest& request, Start& start, Recorder& recorder, spdlog::logger& log)
+{
+    std::optional<Simulation> simulation;
+    try
+    {
+        if (start.restored)
+        {
+            log.info("resumed at t = {:.6g}, step {}", start.restored->state.t, start.restored->state.steps);
+            recorder.resume(std::move(start.restored->rows), start.restored->state.steps);
+        }
+        simulation.emplace(start.body, request.options);
+        if (start.restored)
+        {
+            simulation->restore(std::move(start.restored->state));
+        }
+        if (!fold(*simulation, recorder, request.options, request.quiet))
+        {
+            recorder.summarize(*simulation, "interrupted");
+            return RunStatus::interrupted;
+        }
+        recorder.draw_measures();
+    }
+    catch (const std::bad_alloc&)
+    {
+        recorder.record_failure(simulation, "out of memory");
+        throw;
+    }
+    catch (const std::exception& error)
+    {
+        recorder.record_failure(simulation, error.what());
+        throw;
+    }
+    recorder.summarize(*simulation, "completed");
+    return RunStatus::completed;
+}
+
 } // namespace
 
 RunStatus simulate(const RunRequest& request)
 {
-    const Clock::time_point start = Clock::now();
+    const Clock::time_point began = Clock::now();
     set_thread_count(request.threads);
     const std::string case_text = to_toml(request.options);
-    require_usable_folder(request);
-    std::optional<FolderLock> lock;
-    if (fs::exists(request.out))
-    {
-        lock.emplace(request.out);
-    }
-    std::optional<Checkpoint> checkpoint = find_checkpoint(request, case_text);
-    const bool wants_pictures = request.options.output.pictures == "on";
-    std::string no_pictures;
-    const bool draws = wants_pictures && can_render(no_pictures);
-    std::future<void> renderer = draws ? start_renderer() : std::future<void>{}; // beside the preparation
-    Body body = body_of(request);
-    if (draws)
-    {
-        renderer.get();
-    }
-    std::optional<Restored> restored;
-    if (checkpoint)
-    {
-        restored = from_checkpoint(*checkpoint, body.cloud.positions.size(), (request.out / "checkpoint.h5").string());
-        checkpoint.reset();
-    }
-
-    create_folder(request.out);
-    if (!lock)
-    {
-        lock.emplace(request.out);
-    }
-    if (!restored)
-    {
-        remove_run(request.out);
-    }
-    remove_leftovers(request.out);
-    write_text_atomically(request.out / "case.toml", case_text);
-    const auto log = make_log(request.out, request.quiet);
-    log->info("corticle {}, {} threads", CORTICLE_VERSION, thread_count());
-    log_body(*log, body);
-    if (wants_pictures && !draws)
-    {
-        log->warn("no pictures: {}", no_pictures);
-    }
+    ResultFolder folder(request.out, "run");
+    require_usable_folder(folder, request);
+    Start start = prepare_start(request, find_checkpoint(request, case_text));
 
     const InterruptionGuard guard;
-    Recorder recorder(request, case_text, log, start, restored ? earlier_wall(request.out) : 0.0, draws);
-    Simulation simulation(body, request.options);
-    if (restored)
+    open_folder(folder, request, case_text, start.restored.has_value());
+    const auto log = make_log(request.out, request.quiet);
+    log->info("corticle {}, {} threads", CORTICLE_VERSION, thread_count());
+    log_body(*log, start.body);
+    if (!start.no_pictures.empty())
     {
-        log->info("resumed at t = {:.6g}, step {}", restored->state.t, restored->state.steps);
-        recorder.resume(std::move(restored->rows), restored->state.steps);
-        simulation.restore(std::move(restored->state));
+        log->warn("no pictures: {}", start.no_pictures);
     }
-    try
-    {
-        const bool completed = fold(simulation, recorder, request.options, request.quiet);
-        recorder.draw_measures();
-        if (!completed)
-        {
-            recorder.summarize(simulation, "interrupted");
-            return RunStatus::interrupted;
-        }
-    }
-    catch (const std::exception& error)
-    {
-        log->info("failed: {}", error.what());
-        try
-        {
-            recorder.summarize(simulation, "failed", error.what());
-        }
-        catch (const RunError&)
-        {
-            // The disk that made the run fail has no room for the summary either; the error itself is reported below.
-        }
-        throw;
-    }
-    recorder.summarize(simulation, "completed");
-    return RunStatus::completed;
+    Recorder recorder(request, folder, log, began, start.draws);
+    return record_run(request, start, recorder, *log);
 }
 
 } // namespace corticle

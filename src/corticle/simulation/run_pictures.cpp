@@ -3,6 +3,7 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/io/format_error.hpp"
+#include "corticle/io/result_folder.hpp"
 #include "corticle/simulation/run_reader.hpp"
 
 #include <fmt/format.h>
@@ -17,8 +18,40 @@ namespace corticle
 
 namespace
 {
+
 constexpr double same_time = 1e-9;
+
+std::string surface_picture(std::string_view kind, const std::string& name)
+{
+    return fmt::format("pictures/surface_{}_{}.png", kind, name);
+}
+
+std::string cut_picture(const std::string& name)
+{
+    return fmt::format("pictures/cut_{}.png", name);
+}
+
+/// A run folder whose pictures may be drawn anew.
+ResultFolder claim_pictures(const std::filesystem::path& run, std::span<const FrameFiles> frames)
+{
+    ResultFolder folder(run, "run", "");
+    std::vector<std::string> files{measures_picture};
+    for (const FrameFiles& frame : frames)
+    {
+        const std::vector<std::string> more = frame_pictures(frame.name());
+        files.insert(files.end(), more.begin(), more.end());
+    }
+    folder.claim(files);
+    return folder;
+}
+
 } // namespace
+
+std::vector<std::string> frame_pictures(const std::string& name)
+{
+    return {surface_picture("J", name), surface_picture("growth", name), surface_picture("sulcal_depth", name),
+            surface_picture("mean_curvature", name), cut_picture(name)};
+}
 
 ColorScale robust_scale(std::string label, std::span<const double> values, std::string map)
 {
@@ -55,12 +88,10 @@ CutInput middle_cut(const Frame& frame, std::span<const double> scalar)
 
 void render_frame(const std::filesystem::path& folder, const Frame& frame)
 {
-    const std::filesystem::path pictures = folder / "pictures";
-    std::filesystem::create_directories(pictures);
     const std::string title =
         fmt::format("t = {:.3f}", frame.t) + (std::isnan(frame.week) ? "" : fmt::format(", week {:.1f}", frame.week));
     const auto picture = [&](const std::string& kind, std::span<const double> values, const ColorScale& scale) {
-        return SurfacePicture{pictures / fmt::format("surface_{}_{}.png", kind, frame.name), values, scale};
+        return SurfacePicture{folder / surface_picture(kind, frame.name), values, scale};
     };
     ColorScale curvature = robust_scale("mean curvature [1/mm]", frame.mean_curvature, "coolwarm");
     curvature.high = std::max(curvature.high, -curvature.low); // 0 in the middle
@@ -71,7 +102,7 @@ void render_frame(const std::filesystem::path& folder, const Frame& frame)
         picture("sulcal_depth", frame.sulcal_depth, robust_scale("sulcal depth [mm]", frame.sulcal_depth, "viridis")),
         picture("mean_curvature", frame.mean_curvature, curvature)};
     render_surface(frame.surface, frame.triangles, surfaces, title);
-    render_cut(pictures / fmt::format("cut_{}.png", frame.name), middle_cut(frame, frame.particle_growth),
+    render_cut(folder / cut_picture(frame.name), middle_cut(frame, frame.particle_growth),
                robust_scale("growth g", frame.particle_growth, "viridis"), title);
 }
 
@@ -101,8 +132,7 @@ void render_measures(const std::filesystem::path& folder, std::span<const Measur
               {curve("kinetic", &Measures::energy_kinetic), curve("contact", &Measures::energy_contact)}},
         Panel{"t", "overlapping area share", {curve("overlap", &Measures::overlap_area_share)}},
     };
-    std::filesystem::create_directories(folder / "pictures");
-    render_plot(folder / "pictures" / "measures.png", panels, "Measures against growth time");
+    render_plot(folder / measures_picture, panels, "Measures against growth time");
 }
 
 void render_run(const std::filesystem::path& folder)
@@ -115,6 +145,7 @@ void render_run(const std::filesystem::path& folder)
     {
         throw RunError("pictures cannot be made: " + reason);
     }
+    const ResultFolder claimed = claim_pictures(folder, frames);
     for (const FrameFiles& files : frames)
     {
         Frame frame = read_frame(files);

@@ -41,6 +41,12 @@ ColorScale robust_scale(std::string label, std::span<const double> values, std::
 /// The cut through the middle of a frame, across y, that shows `scalar` of its particles. Refers to both.
 CutInput middle_cut(const Frame& frame, std::span<const double> scalar);
 
+/// Where the plot of the measures lies in a run folder.
+inline constexpr const char* measures_picture = "pictures/measures.png";
+
+/// Names of the pictures of a frame, relative to the run folder.
+std::vector<std::string> frame_pictures(const std::string& name);
+
 /// Pictures of one frame: surface by J, growth, sulcal depth and mean curvature, cut through the middle across y
 /// (coronal where x points to the right and y to the front). `folder` is the run folder.
 void render_frame(const std::filesystem::path& folder, const Frame& frame);
@@ -48,7 +54,9 @@ void render_frame(const std::filesystem::path& folder, const Frame& frame);
 /// Plot of the measures against t.
 void render_measures(const std::filesystem::path& folder, std::span<const Measures> rows);
 
-/// Remakes all pictures of a run folder from its files. @throws InputError when it is not a run folder
+/// Remakes all pictures of a run folder from its files.
+/// @throws InputError when it is not a run folder, a run still writes to it, or a file that the program did not write
+/// would be replaced
 void render_run(const std::filesystem::path& folder);
 
 } // namespace corticle

@@ -62,6 +62,12 @@ void require_finite(std::span<const Vec3> points, const fs::path& file)
 
 } // namespace
 
+std::string FrameFiles::name() const
+{
+    const std::string stem = surface.stem().string();
+    return stem.substr(stem.rfind('_') + 1);
+}
+
 bool is_run_folder(const fs::path& folder)
 {
     std::error_code error;
@@ -137,10 +143,9 @@ Frame read_frame(const FrameFiles& files)
     { return field(surface.fields, name, 1, surface.mesh.vertices.size(), files.surface); };
     const auto of_particles = [&](const std::string& name, std::size_t components) -> const std::vector<double>&
     { return field(cloud.fields, name, components, cloud.points.size(), files.particles); };
-    const std::string stem = files.surface.stem().string();
     Frame frame;
     frame.t = files.t;
-    frame.name = stem.substr(stem.rfind('_') + 1);
+    frame.name = files.name();
     frame.particles = cloud.points;
     const std::vector<double>& displacement = of_particles("displacement", 3);
     for (std::size_t i = 0; i < cloud.points.size(); ++i)

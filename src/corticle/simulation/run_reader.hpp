@@ -13,6 +13,9 @@ struct FrameFiles
     double t = 0.0;
     std::filesystem::path surface;
     std::filesystem::path particles;
+
+    /// "0007", of surface_0007.vtp
+    std::string name() const;
 };
 
 /// A run folder, as far as it is read at once.

@@ -118,6 +118,18 @@ std::string summary_json(const Simulation& simulation, const Measures& last, con
     return j.dump(2) + "\n";
 }
 
+std::string summary_without_state_json(const RunInfo& info)
+{
+    nlohmann::ordered_json j;
+    j["status"] = info.status;
+    j["reason"] = info.reason;
+    j["threads"] = info.threads;
+    j["wall_s"] = info.wall_s;
+    j["peak_memory_mb"] = peak_memory_mb();
+    j["version"] = CORTICLE_VERSION;
+    return j.dump(2) + "\n";
+}
+
 std::vector<std::string> summary_number_keys()
 {
     std::vector<std::string> keys{"particles",

@@ -22,6 +22,9 @@ struct RunInfo
 /// summary.json: see docs/guide/run-folder.md for the keys.
 std::string summary_json(const Simulation& simulation, const Measures& last, const RunInfo& info);
 
+/// summary.json of a run that failed before its first state: only what is known then.
+std::string summary_without_state_json(const RunInfo& info);
+
 /// Its keys whose values are numbers, those included that only some runs have.
 std::vector<std::string> summary_number_keys();
 

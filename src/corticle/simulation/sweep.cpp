@@ -2,10 +2,10 @@
 #include "corticle/simulation/sweep.hpp"
 
 #include "corticle/base/error.hpp"
+#include "corticle/base/terminal.hpp"
 #include "corticle/io/atomic_file.hpp"
-#include "corticle/io/folder_lock.hpp"
+#include "corticle/io/result_folder.hpp"
 #include "corticle/simulation/interruption.hpp"
-#include "corticle/simulation/run_files.hpp"
 #include "corticle/simulation/run_reader.hpp"
 #include "corticle/simulation/sweep_jobs.hpp"
 #include "corticle/simulation/sweep_table.hpp"
@@ -24,13 +24,34 @@ namespace
 namespace fs = std::filesystem;
 
 /// A run folder of its own may not become a sweep.
-void require_own_folder(const fs::path& out)
+void require_no_run(const fs::path& out)
 {
-    require_writable_folder(out);
     if (is_run_folder(out))
     {
         throw InputError(fmt::format("--out {}: holds a run; expected another folder for the sweep", out.string()));
     }
+}
+
+/// Where the case of a run is written, relative to the folder of the sweep.
+std::string case_file_of(const fs::path& run_folder)
+{
+    return "cases/" + run_folder.filename().string() + ".toml";
+}
+
+/// What is written into the folder of the sweep itself.
+std::vector<std::string> written_files(const SweepTable& table, bool with_pictures)
+{
+    std::vector<std::string> files{"sweep.csv", "sweep.json", "sweep.md"};
+    for (const SweepRow& row : table.rows)
+    {
+        files.push_back(case_file_of(row.folder));
+    }
+    if (with_pictures)
+    {
+        const std::vector<std::string> pictures = sweep_pictures(table);
+        files.insert(files.end(), pictures.begin(), pictures.end());
+    }
+    return files;
 }
 
 SweepTable plan_sweep(const SweepRequest& request)
@@ -82,12 +103,10 @@ std::vector<SweepJob> prepare_jobs(const SweepTable& table, const SweepRequest& 
 {
     std::vector<SweepJob> jobs;
     std::set<fs::path> folders;
-    create_folder(table.out / "cases");
-    remove_leftovers(table.out / "cases");
     for (const SweepRow& row : table.rows)
     {
         const SweepRun& run = table.runs[row.run];
-        const fs::path case_file = table.out / "cases" / (row.folder.filename().string() + ".toml");
+        const fs::path case_file = table.out / case_file_of(row.folder);
         const bool is_to_do = !row.is_kept || (request.retry && row.state.status == "failed");
         if (!folders.insert(row.folder).second)
         {
@@ -142,19 +161,23 @@ bool make_all(SweepTable& table, std::span<const SweepJob> jobs, const SweepRequ
 }
 
 /// Looks at what is there, and makes what is not. False when interrupted.
-bool make_missing(SweepTable& table, const SweepRequest& request, const std::vector<bool>& is_chosen)
+bool make_missing(SweepTable& table, const SweepRequest& request, const std::vector<bool>& is_chosen,
+                  ResultFolder& folder)
 {
     const InterruptionGuard guard;
     const RunFolders folders = assign_folders(table.out, table.runs);
     look_at_folders(table, folders);
+    folder.require_free(written_files(table, table.sweep.has_pictures));
+    folder.make();
+    folder.remove_leftovers();
+    folder.claim(written_files(table, false));
     for (SweepRow& row : table.rows)
     {
         read_measures(table, row);
     }
     if (!request.quiet)
     {
-        fmt::print("{}", outline(table, is_chosen, folders.unused));
-        std::fflush(stdout);
+        show(stdout, outline(table, is_chosen, folders.unused));
     }
     const std::vector<SweepJob> jobs = prepare_jobs(table, request, is_chosen);
     write_tables(table, {});
@@ -181,16 +204,14 @@ RunStatus sweep(const SweepRequest& request)
 {
     SweepTable table = plan_sweep(request);
     const std::vector<bool> is_chosen = chosen_runs(table.sweep, table.runs, request.only);
-    require_own_folder(table.out);
+    require_no_run(table.out);
     if (request.list)
     {
         print_standing(table, is_chosen);
         return RunStatus::completed;
     }
-    create_folder(table.out);
-    const FolderLock lock(table.out);
-    remove_leftovers(table.out);
-    if (!make_missing(table, request, is_chosen))
+    ResultFolder folder(table.out, "sweep");
+    if (!make_missing(table, request, is_chosen, folder))
     {
         return RunStatus::interrupted;
     }
@@ -199,7 +220,7 @@ RunStatus sweep(const SweepRequest& request)
         return RunStatus::completed;
     }
     compare_to_references(table);
-    const Pictures pictures = draw_sweep(table);
+    const Pictures pictures = draw_sweep(table, folder);
     write_tables(table, pictures);
     if (!request.quiet)
     {

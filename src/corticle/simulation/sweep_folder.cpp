@@ -65,11 +65,29 @@ fs::path find_same(const std::multimap<std::string, fs::path>& begun, const std:
     return finished != last ? finished->second : first != last ? first->second : fs::path();
 }
 
+std::vector<std::string> read_warnings(const fs::path& log)
+{
+    constexpr std::string_view mark = "] [warning] ";
+    std::vector<std::string> warnings;
+    std::ifstream stream(log);
+    for (std::string line; std::getline(stream, line);)
+    {
+        const std::size_t at = line.find(mark);
+        const std::string text = at == std::string::npos ? "" : line.substr(at + mark.size());
+        if (!text.empty() && std::ranges::find(warnings, text) == warnings.end())
+        {
+            warnings.push_back(text);
+        }
+    }
+    return warnings;
+}
+
 } // namespace
 
 RunState read_state(const fs::path& run_folder)
 {
     RunState state;
+    state.warnings = read_warnings(run_folder / "run.log");
     std::ifstream stream(run_folder / "summary.json");
     const auto summary = nlohmann::json::parse(stream, nullptr, false);
     if (!summary.is_object())

@@ -14,11 +14,12 @@ struct RunState
     std::string status = "pending";        ///< "completed" | "failed" | "interrupted" | "pending"
     std::string reason;                    ///< of a failure
     std::map<std::string, double> numbers; ///< those of summary.json
+    std::vector<std::string> warnings;     ///< those of run.log, each once
 
     bool is_finished() const { return status == "completed" || status == "failed"; }
 };
 
-/// As its summary.json tells; pending where there is none.
+/// As its summary.json and run.log tell; pending where there is no summary.
 RunState read_state(const std::filesystem::path& run_folder);
 
 /// Run folders of a sweep, one for each run; runs of the same case share one.

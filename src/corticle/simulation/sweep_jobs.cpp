@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/simulation/sweep_jobs.hpp"
 
+#include "corticle/base/child_process.hpp"
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
 #include "corticle/config/case_checks.hpp"
@@ -28,6 +29,7 @@ namespace
 
 namespace fs = std::filesystem;
 
+constexpr int interrupted_status = 130;
 constexpr useconds_t pause_us = 20000; // between looks at the processes
 
 // For estimates of cost.
@@ -37,15 +39,7 @@ constexpr double steps_per_crossing = 2.8; // over the particles along the radiu
 
 bool is_locked(const fs::path& folder)
 {
-    try
-    {
-        const FolderLock lock(folder);
-        return false;
-    }
-    catch (const InputError&)
-    {
-        return true;
-    }
+    return !FolderLock::try_lock(folder);
 }
 
 /// The last line of what a command wrote, without its prefix.
@@ -63,12 +57,12 @@ RunState state_after(const fs::path& folder, const ProcessEnd& end)
     RunState state = read_state(folder);
     const bool is_told = end.signal == 0 && ((end.status == 0 && state.status == "completed") ||
                                              (end.status == 3 && state.status == "failed") ||
-                                             (end.status == 130 && state.status == "interrupted"));
+                                             (end.status == interrupted_status && state.status == "interrupted"));
     if (is_told)
     {
         return state;
     }
-    state.status = end.status == 130 ? "interrupted" : "failed";
+    state.status = end.status == interrupted_status ? "interrupted" : "failed";
     const std::string said = last_line(end.output);
     state.reason = end.signal != 0 ? fmt::format("ended by signal {} ({})", end.signal, strsignal(end.signal))
                    : said.empty()  ? fmt::format("exit status {} without a message", end.status)
@@ -141,7 +135,8 @@ void Crew::look()
             continue;
         }
         running_.erase(running_.begin() + static_cast<std::ptrdiff_t>(i));
-        const bool is_ended_by_us = is_ending_ && end->signal == SIGTERM; // before its first step
+        // Before its first step.
+        const bool is_ended_by_us = is_ending_ && (end->signal == SIGTERM || end->status == interrupted_status);
         finish(job, is_ended_by_us ? read_state(jobs_[job].folder) : state_after(jobs_[job].folder, *end));
     }
     progress_.update(active);
@@ -175,7 +170,7 @@ void Crew::start(std::size_t job, int threads)
     }
     catch (const RunError& error)
     {
-        finish(job, {"failed", error.what(), {}});
+        finish(job, {"failed", error.what(), {}, {}});
     }
 }
 
@@ -239,6 +234,7 @@ double relative_cost(const Options& options)
 bool make_runs(std::span<const SweepJob> jobs, const JobOptions& options,
                const std::function<void(std::size_t, const RunState&)>& ended)
 {
+    const WaitableChildren waitable;
     Crew crew(jobs, options, ended);
     bool is_interrupted = false;
     while (!crew.is_done())

@@ -19,12 +19,16 @@ namespace corticle
 namespace
 {
 
-namespace fs = std::filesystem;
-
+constexpr const char* surfaces_file = "surfaces.png";
 constexpr std::size_t most_curves = 7; // as many colours as a plot has
 constexpr std::size_t most_tiles = 60;
 constexpr std::size_t most_columns = 6;
 constexpr std::size_t short_row = 4; // surfaces of a sweep with one axis
+
+std::string plot_file(const std::string& name)
+{
+    return "plots/" + name + ".png";
+}
 
 /// Where the places of an axis stand in a plot.
 struct Scale
@@ -271,28 +275,39 @@ bool draw_surfaces(const SweepTable& table)
         return {fmt::format("{}\nt = {:.4g}{}", name, frame->t, is_completed(row) ? "" : ", " + row.state.status),
                 std::move(frame->surface), std::move(frame->triangles), std::move(frame->surface_J)};
     };
-    render_surface_grid(table.out / "surfaces.png", rows.size(), column_count(table, rows.size()), tile, scale,
+    render_surface_grid(table.out / surfaces_file, rows.size(), column_count(table, rows.size()), tile, scale,
                         table.sweep.title + ": surfaces at the last output time, from above");
     return true;
 }
 
 } // namespace
 
-Pictures draw_sweep(const SweepTable& table)
+std::vector<std::string> sweep_pictures(const SweepTable& table)
+{
+    std::vector<std::string> files;
+    for (const SweepAxis& axis : table.sweep.axes)
+    {
+        files.push_back(plot_file(axis.keys.front()));
+        files.push_back(plot_file(axis.keys.front() + "_time"));
+    }
+    files.emplace_back(surfaces_file);
+    return files;
+}
+
+Pictures draw_sweep(const SweepTable& table, ResultFolder& folder)
 {
     Pictures pictures;
     if (!table.sweep.has_pictures || !can_render(pictures.reason))
     {
         return pictures;
     }
-    fs::create_directories(table.out / "plots");
+    folder.claim(sweep_pictures(table));
     const auto draw = [&](const std::string& name, std::span<const Panel> panels)
     {
-        const std::string file = "plots/" + name + ".png";
         if (!panels.empty())
         {
-            render_plot(table.out / file, panels, table.sweep.title);
-            pictures.files.push_back(file);
+            render_plot(table.out / plot_file(name), panels, table.sweep.title);
+            pictures.files.push_back(plot_file(name));
         }
     };
     for (std::size_t axis = 0; axis < table.sweep.axes.size(); ++axis)
@@ -304,7 +319,7 @@ Pictures draw_sweep(const SweepTable& table)
     }
     if (draw_surfaces(table))
     {
-        pictures.files.emplace_back("surfaces.png");
+        pictures.files.emplace_back(surfaces_file);
     }
     return pictures;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/simulation/sweep_progress.hpp"
 
+#include "corticle/base/terminal.hpp"
 #include "corticle/simulation/sweep_jobs.hpp"
 
 #include <fmt/format.h>
@@ -68,14 +69,16 @@ void SweepProgress::finish(std::size_t job, const RunState& state)
     }
     if (shown_)
     {
-        fmt::print(stderr, "\r\033[K");
-        std::fflush(stderr);
+        show(stderr, "\r\033[K");
     }
     const auto wall = state.numbers.find("wall_s");
-    fmt::print("{} of {}: {} {}{}{}\n", done_, total_, jobs_[job].folder.filename().string(), state.status,
-               wall == state.numbers.end() ? "" : fmt::format(", {:.1f} s", wall->second),
-               state.reason.empty() ? "" : ": " + state.reason);
-    std::fflush(stdout);
+    show(stdout, fmt::format("{} of {}: {} {}{}{}\n", done_, total_, jobs_[job].folder.filename().string(),
+                             state.status, wall == state.numbers.end() ? "" : fmt::format(", {:.1f} s", wall->second),
+                             state.reason.empty() ? "" : ": " + state.reason));
+    for (const std::string& warning : state.warnings)
+    {
+        show(stderr, fmt::format("corticle: warning: {}: {}\n", jobs_[job].folder.filename().string(), warning));
+    }
 }
 
 void SweepProgress::update(std::span<const std::size_t> running)
@@ -96,9 +99,8 @@ void SweepProgress::update(std::span<const std::size_t> running)
     share = std::clamp(share / cost_, 0.0, 1.0);
     const int width = static_cast<int>(bar_width * share);
     const std::string left = share > 0.0 ? clock_text(seconds(start_) * (1.0 - share) / share) + " left" : "";
-    fmt::print(stderr, "\r[{:=<{}}{: <{}}] {} of {} runs done, {} running, {} failed  {}\033[K", "", width, "",
-               bar_width - width, done_, total_, running.size(), failed_, left);
-    std::fflush(stderr);
+    show(stderr, fmt::format("\r[{:=<{}}{: <{}}] {} of {} runs done, {} running, {} failed  {}\033[K", "", width, "",
+                             bar_width - width, done_, total_, running.size(), failed_, left));
     drawn_at_ = Clock::now();
 }
 

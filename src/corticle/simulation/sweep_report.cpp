@@ -145,6 +145,19 @@ std::string failures(const SweepTable& table)
     return text.empty() ? "" : "## Runs that did not complete\n\n" + text + "\n";
 }
 
+std::string warnings(const SweepTable& table)
+{
+    std::string text;
+    for (const SweepRow& row : table.rows)
+    {
+        for (const std::string& warning : row.state.warnings)
+        {
+            text += fmt::format("- {}: {}\n", markdown_cell(table.runs[row.run].name), markdown_cell(warning));
+        }
+    }
+    return text.empty() ? "" : "## Warnings of the runs\n\n" + text + "\n";
+}
+
 std::string reference_text(const SweepTable& table)
 {
     const auto named = std::ranges::find_if(table.rows, [](const SweepRow& row) { return !row.reference.empty(); });
@@ -203,6 +216,7 @@ Json row_json(const SweepTable& table, const SweepRow& row)
     }
     json["status"] = row.state.status;
     json["reason"] = row.state.reason.empty() ? Json(nullptr) : Json(row.state.reason);
+    json["warnings"] = row.state.warnings;
     json["kept"] = row.is_kept;
     json["step_s"] = number_json(row.step_s());
     json["measures"] = Json::object();
@@ -283,7 +297,7 @@ std::string sweep_markdown(const SweepTable& table, const Pictures& pictures)
     }
     text += ". Durations are wall times, everything included; a step is their mean over the steps since the run was "
             "last started.\n\n";
-    text += runs_table(table) + reference_text(table) + failures(table);
+    text += runs_table(table) + reference_text(table) + failures(table) + warnings(table);
     for (const std::string& file : pictures.files)
     {
         text += fmt::format("![{}]({})\n\n", file, file);

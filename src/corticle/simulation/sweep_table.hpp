@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "corticle/io/result_folder.hpp"
 #include "corticle/simulation/comparison.hpp"
 #include "corticle/simulation/sweep_folder.hpp"
 
@@ -59,8 +60,11 @@ std::string sweep_markdown(const SweepTable& table, const Pictures& pictures);
 /// sweep.json: all that is known.
 std::string sweep_json(const SweepTable& table, const Pictures& pictures);
 
+/// The pictures that draw_sweep may draw, relative to the folder of the sweep.
+std::vector<std::string> sweep_pictures(const SweepTable& table);
+
 /// Draws plots/*.png, the measures and the running time against each axis, and surfaces.png, all surfaces at the end of
-/// their runs. @throws RunError
-Pictures draw_sweep(const SweepTable& table);
+/// their runs, into the folder of the sweep. @throws RunError
+Pictures draw_sweep(const SweepTable& table, ResultFolder& folder);
 
 } // namespace corticle
