@@ -2,6 +2,7 @@
 #include "commands.hpp"
 
 #include "corticle/config/case_file.hpp"
+#include "corticle/config/case_inputs.hpp"
 #include "corticle/simulation/preparation_folder.hpp"
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@ int prepare_command(const PrepareArguments& arguments)
 {
     PrepareRequest request;
     request.options = read_case(arguments.case_file, arguments.overrides);
+    identify_inputs(request.options);
     request.out =
         arguments.out.empty() ? std::filesystem::path("prepared") / arguments.case_file.stem() : arguments.out;
     request.threads = arguments.threads;

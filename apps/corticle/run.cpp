@@ -4,6 +4,7 @@
 #include <array>
 
 #include "corticle/config/case_file.hpp"
+#include "corticle/config/case_inputs.hpp"
 #include "corticle/simulation/run_folder.hpp"
 
 namespace corticle
@@ -13,6 +14,7 @@ int run_command(const RunArguments& arguments)
 {
     RunRequest request;
     request.options = read_case(arguments.case_file, arguments.overrides);
+    identify_inputs(request.options);
     request.out = arguments.out.empty() ? std::filesystem::path("runs") / arguments.case_file.stem() : arguments.out;
     request.body = std::filesystem::is_directory(arguments.body) ? arguments.body / "body.h5" : arguments.body;
     request.threads = arguments.threads;

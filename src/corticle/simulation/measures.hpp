@@ -2,6 +2,7 @@
 #pragma once
 
 #include "corticle/metrics/surface_measures.hpp"
+#include "corticle/simulation/equilibrium.hpp"
 #include "corticle/simulation/surface_arrays.hpp"
 
 #include <limits>
@@ -13,7 +14,7 @@ namespace corticle
 
 /// Measures of a run at one output time: a row of measures.csv. Lengths, areas and volumes are in mm at the week, but
 /// ratios, energies and fold_wavelength_reference_mm belong to the run's own coordinates.
-struct Measures : SurfaceMeasures, FoldMeasures
+struct Measures : SurfaceMeasures, FoldMeasures, EquilibriumMeasures
 {
     double t = 0.0;
     double week = std::numeric_limits<double>::quiet_NaN(); ///< gestational age; not a number without a clock
@@ -40,6 +41,8 @@ struct Measures : SurfaceMeasures, FoldMeasures
     double extrapolated_elements = 0.0; ///< see InternalResponse
     double inverted_elements = 0.0;     ///< the same
     double contact_pairs = 0.0;
+    Vec3 smallest_J_place{}; ///< where J is smallest [mm at the week]; in no file, as the next
+    Vec3 overlap_place{};    ///< of the deepest overlap [mm at the week]
 };
 
 /// One column of measures.csv: key, unit, member.

@@ -4,6 +4,8 @@
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
 #include "corticle/base/stopwatch.hpp"
+#include "corticle/base/version.hpp"
+#include "corticle/config/case_checks.hpp"
 #include "corticle/config/case_file.hpp"
 #include "corticle/io/atomic_file.hpp"
 #include "corticle/io/folder_lock.hpp"
@@ -13,6 +15,7 @@
 #include "corticle/simulation/interruption.hpp"
 #include "corticle/simulation/progress.hpp"
 #include "corticle/simulation/run_files.hpp"
+#include "corticle/simulation/run_warnings.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -23,6 +26,7 @@
 #include <chrono>
 #include <fstream>
 #include <future>
+#include <set>
 
 namespace corticle
 {
@@ -62,10 +66,10 @@ double earlier_wall(const fs::path& folder)
 class Recorder
 {
   public:
-    Recorder(const RunRequest& request, std::string case_text, std::shared_ptr<spdlog::logger> log,
-             Clock::time_point start, double wall_before, bool draws)
-        : request_(request), case_text_(std::move(case_text)), log_(std::move(log)), start_(start), saved_at_(start),
-          wall_before_(wall_before), draws_(draws)
+    Recorder(const RunRequest& request, std::string case_text, std::string versions,
+             std::shared_ptr<spdlog::logger> log, Clock::time_point start, double wall_before, bool draws)
+        : request_(request), case_text_(std::move(case_text)), versions_(std::move(versions)), log_(std::move(log)),
+          start_(start), saved_at_(start), wall_before_(wall_before), draws_(draws)
     {
     }
 
@@ -96,10 +100,10 @@ class Recorder
                    "{:.3f}, overlap {:.5f}",
                    row.t, simulation.state().steps, row.area_ratio, row.gi_sphere, row.gi_hull, row.J_min, row.J_max,
                    row.overlap_area_share);
-        for (const std::string& warning : energy_warnings(row))
+        for (const RunWarning& warning : run_warnings(row, size_of_run(simulation)))
         {
-            log_->log(warned_ ? spdlog::level::info : spdlog::level::warn, warning);
-            warned_ = true;
+            const bool is_new = warned_of_.insert(warning.kind).second;
+            log_->log(is_new ? spdlog::level::warn : spdlog::level::info, warning.text);
         }
     }
 
@@ -109,7 +113,8 @@ class Recorder
         // What the checkpoint counts as written must be there after a power cut.
         flush_names(request_.out / "pictures");
         flush_names(request_.out);
-        write_checkpoint(request_.out / "checkpoint.h5", to_checkpoint(simulation.state(), rows_, case_text_));
+        write_checkpoint(request_.out / "checkpoint.h5",
+                         to_checkpoint(simulation.state(), rows_, case_text_, versions_));
         saved_at_ = Clock::now();
     }
 
@@ -127,7 +132,7 @@ class Recorder
         const Measures last = rows_.empty() ? Measures{} : rows_.back();
         write_text_atomically(request_.out / "summary.json",
                               summary_json(simulation, last,
-                                           {status, reason, thread_count(), wall_before_ + session, session,
+                                           {status, reason, versions_, thread_count(), wall_before_ + session, session,
                                             simulation.state().steps - first_step_, measures_s_, output_s_}));
         log_->info("{} at t = {:.6g} after {} steps, {:.1f} s", status, simulation.state().t, simulation.state().steps,
                    wall_before_ + session);
@@ -161,6 +166,7 @@ class Recorder
 
     const RunRequest& request_;
     std::string case_text_;
+    std::string versions_;
     std::shared_ptr<spdlog::logger> log_;
     Clock::time_point start_;
     Clock::time_point saved_at_;
@@ -170,7 +176,7 @@ class Recorder
     double measures_s_ = 0.0;
     double output_s_ = 0.0;
     bool draws_;
-    bool warned_ = false;
+    std::set<std::string_view> warned_of_; ///< kinds that the terminal has heard of
 };
 
 /// The loop over output times; false when interrupted.
@@ -181,7 +187,7 @@ bool fold(Simulation& simulation, Recorder& recorder, const Options& options, bo
     Progress progress(simulation, options.time.end, quiet);
     for (std::size_t k = 0; k < times.size(); ++k)
     {
-        if (recorder.has(times[k]))
+        if (recorder.has(times[k]) || times[k] < simulation.state().t - same_output_time)
         {
             continue;
         }
@@ -212,6 +218,17 @@ Body body_of(const RunRequest& request)
     Body body = request.body.empty() ? arrange_body(request.options) : read_body(request.body, request.options);
     connect_body(request.options, body);
     return body;
+}
+
+std::vector<double> output_times_of(std::span<const Measures> rows)
+{
+    std::vector<double> times;
+    times.reserve(rows.size());
+    for (const Measures& row : rows)
+    {
+        times.push_back(row.t);
+    }
+    return times;
 }
 
 void log_body(spdlog::logger& log, const Body& body)
@@ -268,6 +285,8 @@ RunStatus simulate(const RunRequest& request)
         renderer.get();
     }
     std::optional<Restored> restored;
+    const std::string earlier_versions = checkpoint ? checkpoint->program_version : "";
+    const std::string versions = versions_after(earlier_versions);
     if (checkpoint)
     {
         restored = from_checkpoint(*checkpoint, body.cloud.positions.size(), (request.out / "checkpoint.h5").string());
@@ -286,15 +305,32 @@ RunStatus simulate(const RunRequest& request)
     remove_leftovers(request.out);
     write_text_atomically(request.out / "case.toml", case_text);
     const auto log = make_log(request.out, request.quiet);
-    log->info("corticle {}, {} threads", CORTICLE_VERSION, thread_count());
+    log->info("corticle {}, {} threads", program_version(), thread_count());
+    for (const auto& [key, checksum] : request.options.inputs)
+    {
+        log->info("{}: SHA-256 {}", key, checksum);
+    }
     log_body(*log, body);
+    if (restored && versions != earlier_versions)
+    {
+        log->warn("the checkpoint was written by version {}, this is {}: the run goes on, but not to the same bits as "
+                  "with one version",
+                  earlier_versions, program_version());
+    }
     if (wants_pictures && !draws)
     {
         log->warn("no pictures: {}", no_pictures);
     }
 
+    for (const std::string& warning :
+         restored ? dropped_outputs(request.options, restored->state.t, output_times_of(restored->rows))
+                  : case_warnings(request.options))
+    {
+        log->warn(warning);
+    }
+
     const InterruptionGuard guard;
-    Recorder recorder(request, case_text, log, start, restored ? earlier_wall(request.out) : 0.0, draws);
+    Recorder recorder(request, case_text, versions, log, start, restored ? earlier_wall(request.out) : 0.0, draws);
     Simulation simulation(body, request.options);
     if (restored)
     {
