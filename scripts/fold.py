@@ -32,13 +32,19 @@ MEASURES = (
 )
 
 
+def files_of(case):
+    """Every file that the case names, with the key that does: surface, image and maps."""
+    for section, keys in tomllib.loads(case.read_text(encoding="utf-8")).items():
+        for key, value in keys.items() if isinstance(keys, dict) else ():
+            if isinstance(value, str) and value and (path := case.parent / value).is_file():
+                yield f"{section}.{key}", path
+
+
 def fingerprint(command, case):
-    """What the results depend on: the command, the case and, should it name one, its surface file."""
-    digest = hashlib.sha256(str(case).encode())
-    surface = tomllib.loads(case.read_text(encoding="utf-8")).get("geometry", {}).get("file")
-    for path in (command, case, *([case.parent / surface] if surface else [])):
-        if path.is_file():
-            digest.update(path.read_bytes())
+    """What the results depend on, by content: the command, the case and the files it names."""
+    digest = hashlib.sha256()
+    for key, path in (("command", command), ("case", case), *files_of(case)):
+        digest.update(f"{key} {hashlib.sha256(path.read_bytes()).hexdigest()}\n".encode())
     return digest.hexdigest()
 
 

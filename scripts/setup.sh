@@ -8,7 +8,7 @@ set -euo pipefail
 packages=(
     g++ cmake make python3 python3-nibabel
     libvtk9-dev xvfb xauth libgl1-mesa-dri
-    libcgal-dev libeigen3-dev libgmsh-dev libhdf5-dev zlib1g-dev
+    libcgal-dev libeigen3-dev libgmsh-dev libhdf5-dev zlib1g-dev libssl-dev
     libtomlplusplus-dev libcli11-dev libspdlog-dev libfmt-dev nlohmann-json3-dev
     libgtest-dev libgmock-dev libbenchmark-dev clang-format
 )
@@ -22,7 +22,7 @@ if ! command -v dpkg-query >/dev/null; then
         say "not a Debian or Ubuntu system: assuming the libraries are there; CMake will name any that is not"
         exit 0
     fi
-    say "not a Debian or Ubuntu system; install a C++20 compiler, make, python3, CMake 3.25, VTK 9.1, CGAL 5.5, Eigen 3, Gmsh 4.8, HDF5 (C)," \
+    say "not a Debian or Ubuntu system; install a C++20 compiler, make, python3, CMake 3.25, VTK 9.1, CGAL 5.5, Eigen 3, Gmsh 4.8, HDF5 (C), OpenSSL," \
         "toml++, CLI11, spdlog, fmt, nlohmann-json, GoogleTest and Google Benchmark, and Xvfb for pictures without a display"
     exit 1
 fi

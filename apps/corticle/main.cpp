@@ -2,8 +2,10 @@
 #include "commands.hpp"
 
 #include "corticle/base/error.hpp"
+#include "corticle/base/version.hpp"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -245,7 +247,7 @@ void add_export(CLI::App& app, Verb& chosen)
 int dispatch(int argc, char** argv)
 {
     CLI::App app("Corticle: meshless simulation of cortical folding", "corticle");
-    app.set_version_flag("--version", "corticle " CORTICLE_VERSION);
+    app.set_version_flag("--version", fmt::format("corticle {}", program_version()));
     app.require_subcommand(1);
     app.footer("Exit status: 0 done, 2 bad usage or input, 3 the run failed, 130 interrupted.");
     Verb chosen;

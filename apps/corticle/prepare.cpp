@@ -2,6 +2,7 @@
 #include "commands.hpp"
 
 #include "corticle/config/case_file.hpp"
+#include "corticle/config/case_inputs.hpp"
 #include "corticle/simulation/interruption.hpp"
 #include "corticle/simulation/preparation_folder.hpp"
 
@@ -15,6 +16,7 @@ int prepare_command(const PrepareArguments& arguments)
     exit_when_interrupted();
     PrepareRequest request;
     request.options = read_case(arguments.case_file, arguments.overrides);
+    identify_inputs(request.options);
     request.out =
         arguments.out.empty() ? std::filesystem::path("prepared") / arguments.case_file.stem() : arguments.out;
     request.threads = arguments.threads;

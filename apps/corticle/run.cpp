@@ -4,6 +4,7 @@
 #include <array>
 
 #include "corticle/config/case_file.hpp"
+#include "corticle/config/case_inputs.hpp"
 #include "corticle/simulation/interruption.hpp"
 #include "corticle/simulation/run_folder.hpp"
 
@@ -15,6 +16,7 @@ int run_command(const RunArguments& arguments)
     exit_when_interrupted();
     RunRequest request;
     request.options = read_case(arguments.case_file, arguments.overrides);
+    identify_inputs(request.options);
     request.out = arguments.out.empty() ? std::filesystem::path("runs") / arguments.case_file.stem() : arguments.out;
     std::error_code error;
     request.body = std::filesystem::is_directory(arguments.body, error) ? arguments.body / "body.h5" : arguments.body;

@@ -182,4 +182,19 @@ TEST(CaseFile, WarnsOfWhatIsProbablyNotMeant)
     EXPECT_EQ(case_warnings(parse("[output]\ntimes = [0.1, 0.9]\n[time]\nend = 0.5\n")).size(), 1u);
 }
 
+TEST(CaseFile, NamesTheOutputsThatTheRunDoesNotReach)
+{
+    const Options options = parse("[output]\ntimes = [0.05, 0.1, 0.2, 0.9]\npicture_times = [0.1, 0.7]\n[time]\nend = "
+                                  "0.5\n");
+    EXPECT_EQ(dropped_outputs(options, 0.0),
+              (std::vector<std::string>{"output.times: 0.9 outside the run, t = 0 to 0.5: left out",
+                                        "output.picture_times: 0.7 outside the run, t = 0 to 0.5: left out"}));
+    // Resumed at 0.15, when 0.1 had been written.
+    const std::vector<double> recorded{0.0, 0.1};
+    const std::vector<std::string> resumed = dropped_outputs(options, 0.15, recorded);
+    ASSERT_EQ(resumed.size(), 3u);
+    EXPECT_EQ(resumed[1], "output.times: 0.05 passed before the run is resumed at t = 0.15: left out");
+    EXPECT_EQ(dropped_outputs(parse("[output]\ntimes = [0.5]\n[time]\nend = 0.5\n"), 0.0), std::vector<std::string>{});
+}
+
 } // namespace corticle

@@ -57,7 +57,8 @@ TEST(Weeks, OutputsAtChosenWeeks)
     EXPECT_EQ(times[1], growth_time(GestationalClock::wang, 25.0));
     EXPECT_EQ(times[2], growth_time(GestationalClock::wang, 30.0));
     ASSERT_EQ(case_warnings(options).size(), 1u);
-    EXPECT_NE(case_warnings(options)[0].find("output.weeks beyond time.end_week = 38"), std::string::npos);
+    EXPECT_NE(case_warnings(options)[0].find("output.weeks: 22, 40 outside the run, weeks 23 to 38"),
+              std::string::npos);
 }
 
 TEST(Weeks, TheResolvedCaseReadsBack)

@@ -35,6 +35,21 @@ TEST(FemExactness, RestIsFreeOfStrainAndForce)
     EXPECT_LT(largest_norm(forces), 1e-12);
 }
 
+/// The block of eight is filled up; what fills it is no tet and has no J.
+TEST(FemExactness, SmallestJOfATetCountThatIsNoMultipleOfEight)
+{
+    const ElementBody body = test::plain_elements(test::tet_box(3, {-1, -1, -1}, {1, 1, 1}));
+    ASSERT_NE(body.elements.tets.size() % 8, 0u);
+    FemSolver solver(body.elements, body.tissue);
+    const std::vector<Vec3> x = affine(body.elements.X, stretch);
+    std::vector<Vec3> forces(x.size());
+    const InternalResponse response = solver.evaluate(x, 0.0, forces);
+    EXPECT_NEAR(response.smallest_J, determinant(stretch), 1e-12);
+    ASSERT_GE(response.smallest_J_at, 0);
+    EXPECT_LT(response.smallest_J_at, std::ssize(body.elements.tets));
+    EXPECT_EQ(response.extrapolated_count + response.inverted_count, 0);
+}
+
 /// Every inner node of an irregular mesh is in equilibrium under an affine motion, and F is that of the motion.
 TEST(FemExactness, PatchTest)
 {

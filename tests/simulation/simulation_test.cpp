@@ -4,6 +4,7 @@
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
 #include "corticle/simulation/checkpointing.hpp"
+#include "io/temporary_folder.hpp"
 #include "simulation/same_bits.hpp"
 #include "tlsph/small_body.hpp"
 
@@ -29,6 +30,8 @@ State rough_start(const Body& body, double amplitude)
 
 using test::expect_same_bits;
 using test::take_steps;
+using testing::ContainsRegex;
+using testing::HasSubstr;
 
 TEST(Simulation, OneAndTwoThreadsGiveTheSameBits)
 {
@@ -107,6 +110,42 @@ TEST(Simulation, TakesBackAStepThatInvertsAParticleAndGoesOn)
     {
         ASSERT_TRUE(is_finite(x));
     }
+}
+
+/// Steps taken back again and again, with some accepted between them, never come to max_halvings in a row.
+TEST(Simulation, AStepThatHasCollapsedEndsTheRunWithADiagnosis)
+{
+    const Options options = test::sphere_options(2500);
+    Body body = test::small_sphere();
+    Simulation simulation(body, options);
+    State state = rough_start(body, 0.05);
+    state.step_scale = 1e-6;
+    state.rejected_steps = 1234;
+    simulation.restore(state);
+    const std::string message = message_of<RunError>([&] { simulation.step(1.0); });
+    EXPECT_THAT(message, HasSubstr("the step has collapsed at step 1"));
+    EXPECT_THAT(message, HasSubstr("1234 steps taken back so far"));
+    EXPECT_THAT(message, ContainsRegex("most compressed: particle [0-9]+: position"));
+}
+
+/// A crushed body, whose rate has no bound: no endless loop of steps of no length.
+TEST(Simulation, ABodyCrushedToNothingEndsTheRun)
+{
+    Options options = test::sphere_options(2500);
+    options.contact.enabled = false;
+    Body body = test::small_sphere();
+    Simulation simulation(body, options);
+    State state = rough_start(body, 0.0);
+    for (Vec3& x : state.motion.x)
+    {
+        x *= 1e-40;
+    }
+    EXPECT_THROW(
+        {
+            simulation.restore(state);
+            simulation.step(1.0);
+        },
+        RunError);
 }
 
 TEST(Simulation, GivesUpWithADiagnosis)

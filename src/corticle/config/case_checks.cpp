@@ -5,6 +5,7 @@
 #include "corticle/config/parameters.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -178,18 +179,53 @@ void check_case(const Options& options, const Place& place)
     check_solver(options, place);
 }
 
+std::vector<std::string> dropped_outputs(const Options& options, double from, std::span<const double> recorded)
+{
+    const TimeOptions& time = options.time;
+    std::vector<std::string> warnings;
+    const auto add =
+        [&](std::string_view key, std::span<const double> asked, const std::string& span, auto&& growth_time_of)
+    {
+        std::vector<double> outside;
+        std::vector<double> passed;
+        for (const double value : asked)
+        {
+            const double t = growth_time_of(value);
+            const bool is_recorded =
+                std::ranges::any_of(recorded, [&](double known) { return std::abs(known - t) < same_output_time; });
+            if (t < time.start - same_output_time || t > time.end + same_output_time)
+            {
+                outside.push_back(value);
+            }
+            else if (t < from - same_output_time && !is_recorded)
+            {
+                passed.push_back(value);
+            }
+        }
+        if (!outside.empty())
+        {
+            warnings.push_back(
+                fmt::format("{}: {} outside the run, {}: left out", key, fmt::join(outside, ", "), span));
+        }
+        if (!passed.empty())
+        {
+            warnings.push_back(fmt::format("{}: {} passed before the run is resumed at t = {:g}: left out", key,
+                                           fmt::join(passed, ", "), from));
+        }
+    };
+    const std::string span = fmt::format("t = {:g} to {:g}", time.start, time.end);
+    const auto as_given = [](double t) { return t; };
+    add("output.times", options.output.times, span, as_given);
+    add("output.picture_times", options.output.picture_times, span, as_given);
+    add("output.weeks", options.output.weeks,
+        fmt::format("weeks {:g} to {:g}", time.start_week.value_or(0.0), time.end_week.value_or(0.0)),
+        [&](double week) { return std::max(0.0, growth_time(time.clock, week)); });
+    return warnings;
+}
+
 std::vector<std::string> case_warnings(const Options& options)
 {
-    std::vector<std::string> warnings;
-    if (!options.output.times.empty() && options.output.times.back() > options.time.end)
-    {
-        warnings.push_back(fmt::format("output.times beyond time.end = {} are left out", options.time.end));
-    }
-    if (!options.output.weeks.empty() && options.output.weeks.back() > options.time.end_week.value_or(0.0))
-    {
-        warnings.push_back(
-            fmt::format("output.weeks beyond time.end_week = {:g} are left out", *options.time.end_week));
-    }
+    std::vector<std::string> warnings = dropped_outputs(options, options.time.start);
     if (options.size.law == LengthLaw::hyperbolic && options.time.clock == GestationalClock::wang)
     {
         warnings.emplace_back("size.law = \"hyperbolic\" belongs to time.clock = \"cubic\": with \"wang\" its lengths "

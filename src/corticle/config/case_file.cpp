@@ -5,6 +5,7 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/config/case_checks.hpp"
+#include "corticle/config/case_inputs.hpp"
 #include "corticle/config/case_text.hpp"
 #include "corticle/config/formulation_keys.hpp"
 #include "corticle/config/parameters.hpp"
@@ -48,11 +49,11 @@ class CaseReader
 InputError unknown_section(const std::string& section, const std::string& where)
 {
     const std::string nearest = nearest_section(section);
-    return InputError(
-        fmt::format("unknown section [{}] ({}); {}", printable(section), where,
-                    nearest.empty() ? "expected geometry, map, tissue, solver, thesis, contact, time, size, output or "
-                                      "expect"
-                                    : "did you mean [" + nearest + "]?"));
+    return InputError(fmt::format("unknown section [{}] ({}); {}", printable(section), where,
+                                  nearest.empty()
+                                      ? "expected geometry, map, tissue, solver, thesis, contact, time, size, output, "
+                                        "inputs or expect"
+                                      : "did you mean [" + nearest + "]?"));
 }
 
 bool is_section(std::string_view section)
@@ -104,8 +105,13 @@ void CaseReader::read_text(std::string_view text, const std::string& name, const
     for (const TomlEntry& entry : parse_toml(text, name))
     {
         const std::string where = fmt::format("{}:{}", printable(name), entry.line);
-        if (entry.section == "expect")
+        if (entry.section == "expect" || (entry.section == "inputs" && entry.is_section))
         {
+            continue;
+        }
+        if (entry.section == "inputs")
+        {
+            assign_input(options_, entry.key.substr(entry.section.size() + 1), entry.value, where);
             continue;
         }
         if (entry.is_section && !is_section(entry.section))
@@ -139,6 +145,7 @@ void CaseReader::override_one(const std::string& text)
         throw unknown_key_error(key, where);
     }
     assign_at(key, override_value(*parameter, trimmed(std::string_view(text).substr(equals + 1))), where, "");
+    options_.inputs.erase(key); // of the file named before
     overridden_.insert(key);
 }
 
@@ -244,11 +251,19 @@ std::vector<std::string> differing(std::string_view resolved_a, std::string_view
     std::vector<std::string> result;
     for (const Parameter& parameter : parameters())
     {
+        if (!matters(parameter))
+        {
+            continue;
+        }
         const std::string value_a = toml_text(parameter.get(a));
         const std::string value_b = toml_text(parameter.get(b));
-        if (value_a != value_b && matters(parameter))
+        const std::string difference = parameter.is_path ? input_difference(parameter, a, b)
+                                       : value_a == value_b
+                                           ? ""
+                                           : fmt::format("{}: {} -> {}", parameter.key, shown(value_a), shown(value_b));
+        if (!difference.empty())
         {
-            result.push_back(fmt::format("{}: {} -> {}", parameter.key, shown(value_a), shown(value_b)));
+            result.push_back(difference);
         }
     }
     return result;

@@ -19,11 +19,11 @@ Options parse_case(std::string_view text, const std::string& name, std::span<con
                    const std::filesystem::path& base_directory);
 
 /// The resolved case as TOML, every key with its value: what the run folder's case.toml and the checkpoint hold.
-/// read_case of it gives equal options.
+/// read_case of it gives equal options. Ends with the checksums of Options::inputs, as an [inputs] table.
 std::string to_toml(const Options& options);
 
 /// Keys that differ between two resolved cases, apart from those that may change on resuming (output.*, time.end):
-/// "section.key: a -> b".
+/// "section.key: a -> b". Files are compared by content where both cases tell their checksums, else by name.
 std::vector<std::string> differing_keys(std::string_view resolved_a, std::string_view resolved_b);
 
 /// The same for the keys that an arranged body depends on: those of [geometry] and [map].

@@ -14,6 +14,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -97,6 +98,7 @@ struct Options
     TimeOptions time;
     SizeOptions size;
     OutputOptions output;
+    std::map<std::string, std::string, std::less<>> inputs; ///< SHA-256 of the file that a key ("geometry.file") names
 };
 
 } // namespace corticle

@@ -2,6 +2,7 @@
 #include <array>
 
 #include "corticle/config/case_file.hpp"
+#include "corticle/config/case_inputs.hpp"
 #include "corticle/config/parameters.hpp"
 #include "corticle/config/starter.hpp"
 
@@ -102,7 +103,7 @@ std::string to_toml(const Options& options)
                                                parameter.unit.empty() ? "" : "  # [" + parameter.unit + "]");
                        }
                    });
-    return text;
+    return text + inputs_toml(options);
 }
 
 std::string starter_case(const std::string& shape)

@@ -3,6 +3,7 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/config/case_file.hpp"
+#include "corticle/config/case_inputs.hpp"
 #include "corticle/config/case_text.hpp"
 #include "corticle/config/toml_document.hpp"
 
@@ -37,7 +38,8 @@ std::optional<AxisKey> find_axis(const SweepFile& sweep, std::string_view key)
     return std::nullopt;
 }
 
-SweepRun make_run(const SweepFile& sweep, const std::string& base_text, std::vector<std::size_t> at)
+SweepRun make_run(const SweepFile& sweep, const std::string& base_text, std::vector<std::size_t> at,
+                  KnownChecksums& known)
 {
     SweepRun run;
     std::vector<std::string> overrides = sweep.settings;
@@ -54,6 +56,7 @@ SweepRun make_run(const SweepFile& sweep, const std::string& base_text, std::vec
     try
     {
         run.options = parse_case(base_text, sweep.base.string(), overrides, sweep.base.parent_path());
+        identify_inputs(run.options, known);
     }
     catch (const InputError& error)
     {
@@ -188,10 +191,11 @@ std::vector<SweepRun> sweep_runs(const SweepFile& sweep)
 {
     const std::string base_text = read_case_text(sweep.base);
     std::vector<SweepRun> runs;
+    KnownChecksums known;
     std::vector<std::size_t> at(sweep.axes.size(), 0);
     do
     {
-        runs.push_back(make_run(sweep, base_text, at));
+        runs.push_back(make_run(sweep, base_text, at, known));
     } while (advance(sweep, at));
     return runs;
 }
@@ -202,6 +206,7 @@ std::string case_identity(Options options)
     options.output.pictures = defaults.pictures;
     options.output.picture_times = defaults.picture_times;
     options.output.checkpoint_minutes = defaults.checkpoint_minutes;
+    forget_names(options);
     return to_toml(options);
 }
 

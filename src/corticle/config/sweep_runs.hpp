@@ -28,8 +28,8 @@ void change_settings(SweepFile& sweep, std::span<const std::string> overrides);
 /// @throws InputError when the base cannot be read, or a case is not valid (naming the run)
 std::vector<SweepRun> sweep_runs(const SweepFile& sweep);
 
-/// What makes two runs give the same numbers: the resolved case without the keys that only decide about pictures and
-/// checkpoints.
+/// What makes two runs give the same numbers: the resolved case, files by their content, without the keys that only
+/// decide about pictures and checkpoints.
 std::string case_identity(Options options);
 
 /// The runs that `only` names, each by its number (from 1), its name, or "section.key=value" for all runs with this

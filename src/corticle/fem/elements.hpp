@@ -30,7 +30,7 @@ struct TetElements
     std::vector<Tet> tets;                 ///< right-handed, neighbours in space close in memory
     std::vector<double> volume;            ///< V of each tet [mm³]
     std::vector<double> node_volume;       ///< a quarter of the adjacent tets [mm³]
-    std::vector<TetBlock> blocks;          ///< the last one is filled up with copies of the last tet
+    std::vector<TetBlock> blocks;          ///< the last one is filled up with the last tet, its corners all in node 0
     std::vector<std::int64_t> chunk_begin; ///< chunk c touches chunk_node[chunk_begin[c] ... chunk_begin[c + 1]]
     std::vector<std::int32_t> chunk_node;
     std::vector<std::int64_t> part_begin; ///< node i is at part[part_begin[i] ... part_begin[i + 1]] of chunk_node

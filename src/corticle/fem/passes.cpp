@@ -222,7 +222,8 @@ CORTICLE_INLINE void sum_forces(const Chunk& chunk, const Vec3* x, const NodalPr
         for_lanes(out.J < sum.smallest_J,
                   [&](int l)
                   {
-                      if (out.J[l] < sum.smallest_J)
+                      // The lanes that fill up the last block have all corners in one node, hence J = 0.
+                      if (l < group.count && out.J[l] < sum.smallest_J)
                       {
                           sum.smallest_J = out.J[l];
                           sum.smallest_J_at = group.at(l);

@@ -14,7 +14,7 @@ namespace corticle
 /// All that a run needs, besides its case, to go on to the same bits.
 struct Checkpoint
 {
-    std::string program_version;
+    std::string program_version;                      ///< or versions, the one that wrote it last
     std::string case_text;                            ///< the resolved case, TOML
     std::map<std::string, std::vector<Vec3>> vectors; ///< for instance "position", "velocity"
     std::map<std::string, std::vector<double>> scalars;

@@ -87,7 +87,16 @@ Overlap measure_overlap(std::span<const Vec3> vertices, std::span<const Triangle
     {
         double area = 0.0;
         double covered = 0.0;
-        double deepest = 0.0;
+        double deepest = -1.0;
+        Vec3 place;
+        void note(double depth, const Vec3& at)
+        {
+            if (depth > deepest)
+            {
+                deepest = depth;
+                place = at;
+            }
+        }
     };
     const Sum sum = parallel_reduce(
         std::ssize(triangles), Sum{},
@@ -106,7 +115,7 @@ Overlap measure_overlap(std::span<const Vec3> vertices, std::span<const Triangle
                 if (tree.winding_number(centroid + probe_distance * normalized(normal)) != 0)
                 {
                     part.covered += area;
-                    part.deepest = std::max(part.deepest, distance_to_pierced(centroid, normal, tree.mesh()));
+                    part.note(distance_to_pierced(centroid, normal, tree.mesh()), centroid);
                 }
             }
             return part;
@@ -115,9 +124,9 @@ Overlap measure_overlap(std::span<const Vec3> vertices, std::span<const Triangle
         {
             total.area += part.area;
             total.covered += part.covered;
-            total.deepest = std::max(total.deepest, part.deepest);
+            total.note(part.deepest, part.place);
         });
-    return {sum.covered / sum.area, sum.deepest};
+    return {sum.covered / sum.area, std::max(0.0, sum.deepest), sum.place};
 }
 
 } // namespace corticle

@@ -42,6 +42,7 @@ struct Overlap
     double area_share =
         0.0; ///< share of the area whose outer side is covered: just off it, the winding number is not 0
     double deepest_penetration = 0.0; ///< largest distance from a covered triangle to the surface it pierced [mm]
+    Vec3 place;                       ///< centroid of that triangle
 };
 
 /// @param probe_distance  how far off a face the winding number is taken [mm]; small against the distance of banks that

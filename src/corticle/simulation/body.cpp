@@ -10,6 +10,7 @@
 #include "corticle/config/parameters.hpp"
 #include "corticle/geometry/shapes.hpp"
 #include "corticle/geometry/tetrahedralize.hpp"
+#include "corticle/simulation/body_checks.hpp"
 #include "corticle/simulation/body_maps.hpp"
 #include "corticle/simulation/body_source.hpp"
 #include "corticle/tissue/ellipsoid.hpp"
@@ -134,6 +135,7 @@ void start_tissue(const Options& options, std::span<const Vec3> nodes, std::span
     if (options.tissue.layer != Layer::binary || options.tissue.lambda == 0.0)
     {
         tissue.size = thinning_size(options);
+        require_cortex(options, places, tissue);
         tissue.set_layer(options.time.start);
         tissue.theta_is_fixed = options.tissue.thickness_rate_mm == 0.0 && tissue.size.law == LengthLaw::none;
     }
@@ -273,6 +275,10 @@ void connect_body(const Options& options, Body& body)
     else
     {
         connect_particles(options, body);
+    }
+    if (const std::string warning = size_warning(options, body); !warning.empty())
+    {
+        body.report.warnings.push_back(warning);
     }
     const double thickness = cortex_thickness(options, body);
     if (thickness < 2.0 * body.cloud.spacing)

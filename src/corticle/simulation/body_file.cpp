@@ -2,6 +2,7 @@
 #include "corticle/simulation/body_file.hpp"
 
 #include "corticle/base/error.hpp"
+#include "corticle/base/version.hpp"
 #include "corticle/config/case_file.hpp"
 #include "corticle/io/checkpoint.hpp"
 
@@ -83,7 +84,7 @@ Tissue stored_tissue(const Checkpoint& image, const std::string& prefix, const s
 void write_body(const std::filesystem::path& file, const Body& body, const Options& options)
 {
     Checkpoint image;
-    image.program_version = CORTICLE_VERSION;
+    image.program_version = program_version();
     image.case_text = to_toml(options);
     image.vectors["body.position"] = body.cloud.positions;
     store_tissue(body.tissue, "body.", image);
@@ -135,6 +136,12 @@ Body read_body(const std::filesystem::path& file, const Options& options)
     }
     body.report.source = "body file";
     body.report.notes = {"read from " + file.string()};
+    if (image.program_version != program_version())
+    {
+        body.report.warnings.push_back(
+            fmt::format("{} was made by version {}, this is {}: another body may come of the same case", file.string(),
+                        image.program_version, program_version()));
+    }
     return body;
 }
 

@@ -2,6 +2,7 @@
 #include "corticle/simulation/checkpointing.hpp"
 
 #include "corticle/base/error.hpp"
+#include "corticle/base/version.hpp"
 
 #include <fmt/format.h>
 
@@ -33,10 +34,21 @@ std::string column_name(const MeasureColumn& column)
 
 } // namespace
 
-Checkpoint to_checkpoint(const State& state, std::span<const Measures> rows, const std::string& case_text)
+std::string versions_after(const std::string& earlier)
+{
+    const std::string now(program_version());
+    if (earlier.empty())
+    {
+        return now;
+    }
+    return earlier == now || earlier.ends_with(", " + now) ? earlier : earlier + ", " + now;
+}
+
+Checkpoint to_checkpoint(const State& state, std::span<const Measures> rows, const std::string& case_text,
+                         const std::string& versions)
 {
     Checkpoint checkpoint;
-    checkpoint.program_version = CORTICLE_VERSION;
+    checkpoint.program_version = versions;
     checkpoint.case_text = case_text;
     checkpoint.vectors["position"] = state.motion.x;
     checkpoint.vectors["velocity"] = state.motion.v;

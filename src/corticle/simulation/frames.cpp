@@ -3,8 +3,7 @@
 
 #include "corticle/base/parallel.hpp"
 #include "corticle/io/vtk_files.hpp"
-#include "corticle/tissue/growth.hpp"
-#include "corticle/tissue/neo_hookean.hpp"
+#include "corticle/simulation/node_stress.hpp"
 
 #include <cmath>
 #include <numeric>
@@ -30,12 +29,6 @@ double growth_at(const Simulation& simulation, std::size_t i)
     return simulation.body().tissue.point(i, simulation.state().t).growth;
 }
 
-/// F G instead of F G^-1, as thesis eq. 22 prints it.
-bool multiplies_growth(const Options& options)
-{
-    return options.formulation == Formulation::thesis && options.thesis.growth == GrowthEntry::multiplied;
-}
-
 std::vector<double> times(std::span<const double> values, double factor)
 {
     std::vector<double> result(values.begin(), values.end());
@@ -51,20 +44,13 @@ ParticleArrays particle_arrays(const Simulation& simulation, const Frame& frame)
     const Tissue& tissue = simulation.body().tissue;
     const std::vector<Mat3>& F = frame.F;
     const std::size_t count = F.size();
-    const bool multiplied = multiplies_growth(simulation.options());
     ParticleArrays a{std::vector<double>(count), std::vector<double>(9 * count), std::vector<double>(9 * count),
                      std::vector<double>(3 * count), std::vector<double>(3 * count)};
     parallel_for(static_cast<std::int64_t>(count),
                  [&](std::int64_t signed_i)
                  {
                      const auto i = static_cast<std::size_t>(signed_i);
-                     const MaterialPoint point = tissue.point(i, simulation.state().t);
-                     const Vec3 n = tissue.growth_normal(i, F[i]);
-                     const Mat3 F_e =
-                         F[i] * (multiplied ? inverse_growth_tensor(1.0 / point.growth, n, 1.0 / point.radial_growth)
-                                            : inverse_growth_tensor(point.growth, n, point.radial_growth));
-                     const NeoHookean law{point.shear_modulus, point.bulk_modulus, tissue.options.barrier_J};
-                     const Mat3 sigma = cauchy_stress(law.respond(F_e).stress, F_e);
+                     const Mat3 sigma = cauchy_stress_at(simulation, i, F[i]);
                      const Vec3 u = frame.particles[i] - frame.origins[i];
                      a.J[i] = determinant(F[i]);
                      for (int row = 0; row < 3; ++row)

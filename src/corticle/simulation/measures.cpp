@@ -53,6 +53,10 @@ constexpr std::array first_columns{
 std::vector<MeasureColumn> all_columns()
 {
     std::vector<MeasureColumn> columns(first_columns.begin(), first_columns.end());
+    for (const EquilibriumColumn& column : equilibrium_columns())
+    {
+        columns.push_back({column.key, "-", column.value});
+    }
     for (const SizeColumn& column : size_columns())
     {
         columns.push_back({column.key, column.unit, column.value});
@@ -80,6 +84,45 @@ double area_mean(std::span<const double> values, std::span<const double> areas)
     return std::inner_product(values.begin(), values.end(), areas.begin(), 0.0) / area;
 }
 
+/// det F over the nodes.
+void set_volume_ratios(const Body& body, std::span<const Mat3> F, Measures& m)
+{
+    m.J_min = determinant(F[0]);
+    m.J_max = m.J_min;
+    double weighted = 0.0;
+    double volume = 0.0;
+    for (std::size_t i = 0; i < F.size(); ++i)
+    {
+        const double J = determinant(F[i]);
+        m.J_min = std::min(m.J_min, J);
+        m.J_max = std::max(m.J_max, J);
+        weighted += body.cloud.volumes[i] * J;
+        volume += body.cloud.volumes[i];
+    }
+    m.J_mean = weighted / volume;
+}
+
+double reference_volume(const Body& body)
+{
+    return std::accumulate(body.cloud.volumes.begin(), body.cloud.volumes.end(), 0.0);
+}
+
+void set_energies(const Simulation& simulation, std::span<const Mat3> F, Measures& m)
+{
+    const State& state = simulation.state();
+    const InternalResponse& internal = simulation.internal();
+    m.energy_elastic = internal.elastic_energy;
+    m.energy_kinetic = state.kinetic_energy;
+    m.energy_zero_mode = internal.zero_mode_energy;
+    m.energy_contact = simulation.contact().energy;
+    m.energy_dissipated = state.books.dissipated;
+    m.work_growth = state.books.growth_work;
+    static_cast<EquilibriumMeasures&>(m) = equilibrium_measures(
+        {m.energy_elastic, m.energy_zero_mode, m.energy_kinetic, m.energy_contact, m.energy_dissipated, m.work_growth},
+        reference_volume(simulation.body()));
+    m.residual_force = residual_force(simulation, F);
+}
+
 } // namespace
 
 std::span<const MeasureColumn> measure_columns()
@@ -102,7 +145,7 @@ Measures measure(const Simulation& simulation, std::span<const Mat3> F, const Su
 
     const ReferenceFolds waves = reference_folds(simulation);
 
-    Measures m{now, measure_folds(x, body.cloud.surface_triangles, arrays.folds, fold_options(body, scale))};
+    Measures m{now, measure_folds(x, body.cloud.surface_triangles, arrays.folds, fold_options(body, scale)), {}};
     m.t = state.t;
     m.week = scale.week;
     m.length_scale = scale.length;
@@ -113,25 +156,8 @@ Measures measure(const Simulation& simulation, std::span<const Mat3> F, const Su
     m.thickness_mean_mm = area_mean(arrays.thickness, vertex_areas(x, body.cloud.surface_triangles));
     m.fold_wavelength_reference_mm = waves.wavelength_mm;
     m.fold_degree = waves.degree;
-    m.J_min = determinant(F[0]);
-    m.J_max = m.J_min;
-    double weighted = 0.0;
-    double volume = 0.0;
-    for (std::size_t i = 0; i < F.size(); ++i)
-    {
-        const double J = determinant(F[i]);
-        m.J_min = std::min(m.J_min, J);
-        m.J_max = std::max(m.J_max, J);
-        weighted += body.cloud.volumes[i] * J;
-        volume += body.cloud.volumes[i];
-    }
-    m.J_mean = weighted / volume;
-    m.energy_elastic = simulation.internal().elastic_energy;
-    m.energy_kinetic = state.kinetic_energy;
-    m.energy_zero_mode = simulation.internal().zero_mode_energy;
-    m.energy_contact = simulation.contact().energy;
-    m.energy_dissipated = state.books.dissipated;
-    m.work_growth = state.books.growth_work;
+    set_volume_ratios(body, F, m);
+    set_energies(simulation, F, m);
     m.overlap_area_share = overlap.area_share;
     m.max_penetration_mm = overlap.deepest_penetration;
     m.barrier_particles = static_cast<double>(simulation.internal().barrier_count);
@@ -144,6 +170,8 @@ Measures measure(const Simulation& simulation, std::span<const Mat3> F, const Su
         static_cast<double>(state.travel_taken.vertex_steps) /
         (static_cast<double>(std::max<std::int64_t>(state.steps, 1)) * static_cast<double>(x.size()));
     m.energy_contact_limit = state.travel_taken.energy;
+    m.smallest_J_place = scale.length * simulation.place_of_smallest_J();
+    m.overlap_place = overlap.place;
     return m;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "corticle/metrics/surface_measures.hpp"
+#include "corticle/simulation/equilibrium.hpp"
 #include "corticle/simulation/surface_arrays.hpp"
 
 #include <limits>
@@ -13,7 +14,7 @@ namespace corticle
 
 /// Measures of a run at one output time: a row of measures.csv. Lengths, areas and volumes are in mm at the week, but
 /// ratios, energies and fold_wavelength_reference_mm belong to the run's own coordinates.
-struct Measures : SurfaceMeasures, FoldMeasures
+struct Measures : SurfaceMeasures, FoldMeasures, EquilibriumMeasures
 {
     double t = 0.0;
     double week = std::numeric_limits<double>::quiet_NaN(); ///< gestational age; not a number without a clock
@@ -43,6 +44,8 @@ struct Measures : SurfaceMeasures, FoldMeasures
     double intersecting_triangles = 0.0; ///< of the surface, with another of its triangles (exact predicates)
     double contact_limited_share = 0.0;  ///< of all displacements of surface vertices so far: TravelLimit changed them
     double energy_contact_limit = 0.0;   ///< kinetic energy that it took so far
+    Vec3 smallest_J_place{}; ///< where J is smallest [mm at the week]; in no file, as the next
+    Vec3 overlap_place{};    ///< of the deepest overlap [mm at the week]
 };
 
 /// One column of measures.csv: key, unit, member.

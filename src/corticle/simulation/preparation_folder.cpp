@@ -3,6 +3,7 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
+#include "corticle/base/version.hpp"
 #include "corticle/cloud/quality.hpp"
 #include "corticle/config/case_file.hpp"
 #include "corticle/io/atomic_file.hpp"
@@ -131,7 +132,7 @@ void write_views(const fs::path& out, const Body& body, const BodyQuality& quali
     write_surface_vtp(out / "surface.vtp", body.surface.vertices, body.surface.triangles, surface_fields);
 }
 
-Json report_json(const Body& body, const BodyQuality& quality, double seconds)
+Json report_json(const Body& body, const Options& options, const BodyQuality& quality, double seconds)
 {
     const CloudQuality cloud = measure_quality(body.cloud);
     Json j;
@@ -163,7 +164,8 @@ Json report_json(const Body& body, const BodyQuality& quality, double seconds)
     j["warnings"] = body.report.warnings;
     j["seconds"] = seconds;
     j["peak_memory_mb"] = peak_memory_mb();
-    j["version"] = CORTICLE_VERSION;
+    j["inputs"] = Json::parse(inputs_json(options));
+    j["version"] = program_version();
     return j;
 }
 
@@ -205,7 +207,7 @@ std::string prepare(const PrepareRequest& request)
     connect_body(request.options, body);
     const BodyQuality quality = measure_body_quality(body);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    Json report = report_json(body, quality, seconds);
+    Json report = report_json(body, request.options, quality, seconds);
     std::optional<PreparationComparison> comparison;
     if (request.compare_thesis)
     {

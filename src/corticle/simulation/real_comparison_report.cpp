@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/simulation/real_comparison.hpp"
 
+#include "corticle/base/version.hpp"
 #include "corticle/io/markdown.hpp"
 #include "corticle/metrics/comparison.hpp"
 
@@ -109,7 +110,7 @@ std::string comparison_json(const RealComparison& comparison, const Pictures& pi
         json["reals"].push_back(real_json(comparison, real));
     }
     json["pictures"] = pictures.files;
-    json["version"] = CORTICLE_VERSION;
+    json["version"] = program_version();
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

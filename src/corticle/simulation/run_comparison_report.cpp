@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/simulation/run_comparison.hpp"
 
+#include "corticle/base/version.hpp"
 #include "corticle/io/markdown.hpp"
 
 #include <fmt/format.h>
@@ -224,7 +225,7 @@ std::string comparison_json(const RunComparison& comparison, const Pictures& pic
         json["frames"].push_back(frame_json(pair));
     }
     json["pictures"] = pictures.files;
-    json["version"] = CORTICLE_VERSION;
+    json["version"] = program_version();
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

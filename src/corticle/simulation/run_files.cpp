@@ -2,6 +2,7 @@
 #include "corticle/simulation/run_files.hpp"
 
 #include "corticle/base/error.hpp"
+#include "corticle/config/case_checks.hpp"
 #include "corticle/config/case_file.hpp"
 #include "corticle/io/atomic_file.hpp"
 #include "corticle/io/vtk_files.hpp"
@@ -137,11 +138,11 @@ std::vector<double> output_times(const Options& options)
     else
     {
         std::copy_if(chosen.begin(), chosen.end(), std::back_inserter(times),
-                     [&](double t) { return t > start + same_time && t < end; });
+                     [&](double t) { return t > start + same_output_time && t < end; });
     }
     times.push_back(end);
     std::sort(times.begin(), times.end());
-    times.erase(std::unique(times.begin(), times.end(), [](double a, double b) { return b - a < same_time; }),
+    times.erase(std::unique(times.begin(), times.end(), [](double a, double b) { return b - a < same_output_time; }),
                 times.end());
     times.back() = end;
     return times;

@@ -4,6 +4,8 @@
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
 #include "corticle/base/stopwatch.hpp"
+#include "corticle/base/version.hpp"
+#include "corticle/config/case_checks.hpp"
 #include "corticle/config/case_file.hpp"
 #include "corticle/io/atomic_file.hpp"
 #include "corticle/io/pictures.hpp"
@@ -13,6 +15,7 @@
 #include "corticle/simulation/interruption.hpp"
 #include "corticle/simulation/progress.hpp"
 #include "corticle/simulation/run_files.hpp"
+#include "corticle/simulation/run_warnings.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -23,6 +26,7 @@
 #include <chrono>
 #include <fstream>
 #include <future>
+#include <set>
 
 namespace corticle
 {
@@ -62,10 +66,10 @@ double earlier_wall(const fs::path& folder)
 class Recorder
 {
   public:
-    Recorder(const RunRequest& request, ResultFolder& folder, std::shared_ptr<spdlog::logger> log,
+    Recorder(const RunRequest& request, ResultFolder& folder, std::string versions, std::shared_ptr<spdlog::logger> log,
              Clock::time_point start, bool draws)
-        : request_(request), folder_(folder), case_text_(to_toml(request.options)), log_(std::move(log)), start_(start),
-          saved_at_(start), draws_(draws)
+        : request_(request), folder_(folder), case_text_(to_toml(request.options)), versions_(std::move(versions)),
+          log_(std::move(log)), start_(start), saved_at_(start), draws_(draws)
     {
     }
 
@@ -97,10 +101,10 @@ class Recorder
                    "{:.3f}, overlap {:.5f}",
                    row.t, simulation.state().steps, row.area_ratio, row.gi_sphere, row.gi_hull, row.J_min, row.J_max,
                    row.overlap_area_share);
-        for (const std::string& warning : energy_warnings(row))
+        for (const RunWarning& warning : run_warnings(row, size_of_run(simulation)))
         {
-            log_->log(warned_ ? spdlog::level::info : spdlog::level::warn, warning);
-            warned_ = true;
+            const bool is_new = warned_of_.insert(warning.kind).second;
+            log_->log(is_new ? spdlog::level::warn : spdlog::level::info, warning.text);
         }
     }
 
@@ -110,7 +114,8 @@ class Recorder
         // What the checkpoint counts as written must be there after a power cut.
         flush_names(request_.out / "pictures");
         flush_names(request_.out);
-        write_checkpoint(request_.out / "checkpoint.h5", to_checkpoint(simulation.state(), rows_, case_text_));
+        write_checkpoint(request_.out / "checkpoint.h5",
+                         to_checkpoint(simulation.state(), rows_, case_text_, versions_));
         saved_at_ = Clock::now();
     }
 
@@ -166,7 +171,8 @@ class Recorder
     RunInfo run_info(const std::string& status, const std::string& reason, std::int64_t steps) const
     {
         const double session = seconds_since(start_);
-        return {status, reason, thread_count(), wall_before_ + session, session, steps, measures_s_, output_s_};
+        return {status,  reason, versions_,   thread_count(), wall_before_ + session,
+                session, steps,  measures_s_, output_s_};
     }
 
     /// Files and pictures of an output time.
@@ -190,6 +196,7 @@ class Recorder
     const RunRequest& request_;
     ResultFolder& folder_;
     std::string case_text_;
+    std::string versions_;
     std::shared_ptr<spdlog::logger> log_;
     Clock::time_point start_;
     Clock::time_point saved_at_;
@@ -199,7 +206,7 @@ class Recorder
     double measures_s_ = 0.0;
     double output_s_ = 0.0;
     bool draws_;
-    bool warned_ = false;
+    std::set<std::string_view> warned_of_; ///< kinds that the terminal has heard of
 };
 
 /// The loop over output times; false when interrupted.
@@ -210,7 +217,7 @@ bool fold(Simulation& simulation, Recorder& recorder, const Options& options, bo
     Progress progress(simulation, options.time.end, quiet);
     for (std::size_t k = 0; k < times.size(); ++k)
     {
-        if (recorder.has(times[k]))
+        if (recorder.has(times[k]) || times[k] < simulation.state().t - same_output_time)
         {
             continue;
         }
@@ -241,6 +248,7 @@ struct Start
 {
     Body body;
     std::optional<Restored> restored;
+    std::string earlier_versions; ///< of the program, that the checkpoint was made by
     bool draws = false;
     std::string no_pictures; ///< why pictures that were asked for are not drawn
 };
@@ -259,6 +267,7 @@ Start prepare_start(const RunRequest& request, std::optional<Checkpoint> checkpo
     }
     if (checkpoint)
     {
+        start.earlier_versions = checkpoint->program_version;
         start.restored =
             from_checkpoint(*checkpoint, start.body.cloud.positions.size(), (request.out / "checkpoint.h5").string());
     }
@@ -280,6 +289,17 @@ void open_folder(ResultFolder& folder, const RunRequest& request, const std::str
     }
     folder.claim(run_files());
     write_text_atomically(folder.path() / "case.toml", case_text);
+}
+
+std::vector<double> output_times_of(std::span<const Measures> rows)
+{
+    std::vector<double> times;
+    times.reserve(rows.size());
+    for (const Measures& row : rows)
+    {
+        times.push_back(row.t);
+    }
+    return times;
 }
 
 void log_body(spdlog::logger& log, const Body& body)
@@ -307,6 +327,32 @@ void log_body(spdlog::logger& log, const Body& body)
                  100.0 * body.report.remesh.volume_change, body.report.remesh.largest_distance_mm);
     }
     for (const std::string& warning : body.report.warnings)
+    {
+        log.warn(warning);
+    }
+}
+
+void log_start(spdlog::logger& log, const RunRequest& request, const Start& start, const std::string& versions)
+{
+    log.info("corticle {}, {} threads", program_version(), thread_count());
+    for (const auto& [key, checksum] : request.options.inputs)
+    {
+        log.info("{}: SHA-256 {}", key, checksum);
+    }
+    log_body(log, start.body);
+    if (start.restored && versions != start.earlier_versions)
+    {
+        log.warn("the checkpoint was written by version {}, this is {}: the run goes on, but not to the same bits as "
+                 "with one version",
+                 start.earlier_versions, program_version());
+    }
+    if (!start.no_pictures.empty())
+    {
+        log.warn("no pictures: {}", start.no_pictures);
+    }
+    for (const std::string& warning : start.restored ? dropped_outputs(request.options, start.restored->state.t,
+                                                                       output_times_of(start.restored->rows))
+                                                     : case_warnings(request.options))
     {
         log.warn(warning);
     }
@@ -359,17 +405,13 @@ RunStatus simulate(const RunRequest& request)
     ResultFolder folder(request.out, "run");
     require_usable_folder(folder, request);
     Start start = prepare_start(request, find_checkpoint(request, case_text));
+    const std::string versions = versions_after(start.earlier_versions);
 
     const InterruptionGuard guard;
     open_folder(folder, request, case_text, start.restored.has_value());
     const auto log = make_log(request.out, request.quiet);
-    log->info("corticle {}, {} threads", CORTICLE_VERSION, thread_count());
-    log_body(*log, start.body);
-    if (!start.no_pictures.empty())
-    {
-        log->warn("no pictures: {}", start.no_pictures);
-    }
-    Recorder recorder(request, folder, log, began, start.draws);
+    log_start(*log, request, start, versions);
+    Recorder recorder(request, folder, versions, log, began, start.draws);
     return record_run(request, start, recorder, *log);
 }
 

@@ -25,6 +25,9 @@ constexpr double rounding = 1e-12;      ///< of t: a remainder this small is no 
 constexpr double kinetic_share = 1e-3;  ///< kinetic over elastic energy that loading after the onset aims at
 constexpr double adjusting_time = 0.03; ///< growth time [t] in which its rate follows
 constexpr double step_recovery = 1.05;  ///< factor by which a halved step grows back, per step
+// A step of this share of that at rest makes a run of minutes one of weeks; steps of sound folds stay above a
+// twentieth.
+constexpr double least_step_share = 1e-4;
 
 template <class T>
 std::vector<T> gather(const std::vector<T>& values, std::span<const std::int32_t> at)
@@ -85,7 +88,10 @@ Simulation::Simulation(Body& body, const Options& options)
     : body_(body), options_(options), solver_(make_discretization(body, options)), mass_(body.cloud.volumes),
       contact_particles_(sorted(body.cloud.surface_particles)),
       contact_(contact_of(body, contact_particles_, mass_, options.tissue, options.contact)),
-      total_time_(loading_time(body, options)), damping_(options.dynamics.damping / total_time_)
+      total_time_(loading_time(body, options)), damping_(options.dynamics.damping / total_time_),
+      rest_dt_(options.dynamics.time_step > 0.0
+                   ? options.dynamics.time_step * total_time_
+                   : critical_step(options.dynamics.cfl, body.cloud.spacing, wave_speed(options.tissue)))
 {
     State start;
     start.t = options.time.start;
@@ -109,6 +115,13 @@ void Simulation::restore(State state)
 std::vector<Vec3> Simulation::surface_positions() const
 {
     return gather(state_.motion.x, body_.cloud.surface_particles);
+}
+
+Vec3 Simulation::place_of_smallest_J() const
+{
+    const std::vector<Vec3>& x = state_.motion.x;
+    const auto at = static_cast<std::size_t>(std::max<std::int64_t>(internal_.smallest_J_at, 0));
+    return body_.fem ? centroids(x, std::span(body_.fem->elements.tets).subspan(at, 1)).front() : x[at];
 }
 
 InternalResponse Simulation::internal_forces(Motion& motion, double t)
@@ -211,6 +224,7 @@ void Simulation::step(double t_stop)
     const double growth_power = internal_.growth_power;
     for (std::int64_t halvings = 0;; ++halvings)
     {
+        require_step(allowed * state_.step_scale);
         const double full = allowed * state_.step_scale * state_.loading_rate / total_time_;
         const double t = t_stop - state_.t <= full * (1.0 + rounding) ? t_stop : state_.t + full;
         const double dt = (t - state_.t) * total_time_ / state_.loading_rate;
@@ -275,6 +289,22 @@ void Simulation::give_up(const Motion& motion, double t, double dt) const
     throw RunError(fmt::format("inverted at step {}, t = {:.6g}, after {} halvings of the step (dt/T = {:.3g}): {}",
                                state_.steps + 1, t, options_.dynamics.max_halvings, dt / total_time_,
                                solver_->diagnosis(internal_.invalid_at, motion.x)));
+}
+
+/// Refuses a step so small that the run would not end: a crushed particle, or steps taken back again and again.
+void Simulation::require_step(double dt) const
+{
+    if (dt >= least_step_share * rest_dt_)
+    {
+        return;
+    }
+    const std::int64_t at = std::max<std::int64_t>(internal_.smallest_J_at, 0);
+    const std::int64_t node = body_.fem ? body_.fem->elements.tets[static_cast<std::size_t>(at)][0] : at;
+    throw RunError(fmt::format("the step has collapsed at step {}, t = {:.6g}: dt/T = {:.3g}, at rest {:.3g}; {} steps "
+                               "taken back so far, the next one {:.3g} of what the stiffness allows; most compressed: "
+                               "{}",
+                               state_.steps + 1, state_.t, dt / total_time_, rest_dt_ / total_time_,
+                               state_.rejected_steps, state_.step_scale, solver_->diagnosis(node, state_.motion.x)));
 }
 
 } // namespace corticle

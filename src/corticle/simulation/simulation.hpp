@@ -32,7 +32,8 @@ class Simulation
     void restore(State state);
 
     /// One accepted step, no farther than growth time `t_stop`.
-    /// @throws RunError with the diagnosis (step, t, particle, position, F, J, neighbours) when halving does not help
+    /// @throws RunError with the diagnosis (step, t, particle, position, F, J, neighbours) when halving does not help,
+    /// or when what the state allows has collapsed to next to nothing
     void step(double t_stop);
 
     const State& state() const { return state_; }
@@ -47,6 +48,8 @@ class Simulation
 
     std::vector<Mat3> deformation_gradients() const { return solver_->deformation_gradients(state_.motion.x); }
     std::vector<Vec3> surface_positions() const;
+    /// Where the particle or tet with the smallest J is now [mm].
+    Vec3 place_of_smallest_J() const;
 
   private:
     InternalResponse internal_forces(Motion& motion, double t);
@@ -57,6 +60,7 @@ class Simulation
     void adjust_loading(double growth_step);
     void note_onset();
     [[noreturn]] void give_up(const Motion& motion, double t, double dt) const;
+    void require_step(double dt) const;
 
     Body& body_;
     const Options& options_;
@@ -66,6 +70,7 @@ class Simulation
     SurfaceContact contact_;
     double total_time_; ///< T, time of t = 0..1
     double damping_;    ///< gamma
+    double rest_dt_;    ///< the step that the body allows at rest
     State state_;
     Motion proposed_;
     InternalResponse internal_;

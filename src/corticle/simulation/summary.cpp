@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/simulation/summary.hpp"
 
+#include "corticle/base/version.hpp"
 #include "corticle/config/parameters.hpp"
 
 #include <fmt/format.h>
@@ -13,10 +14,8 @@ namespace corticle
 namespace
 {
 
-constexpr double most_zero_mode_share = 0.05;
-constexpr double most_kinetic_share = 0.10;
-
-std::string choice_of(const Options& options, std::string_view key)
+/// The value of a key that is text.
+std::string text_of(const Options& options, std::string_view key)
 {
     return std::get<std::string>(find_parameter(key)->get(options));
 }
@@ -37,6 +36,16 @@ double peak_memory_mb()
     return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
+std::string inputs_json(const Options& options)
+{
+    nlohmann::ordered_json j = nlohmann::ordered_json::object();
+    for (const auto& [key, checksum] : options.inputs)
+    {
+        j[key] = {{"file", text_of(options, key)}, {"sha256", checksum}};
+    }
+    return j.dump();
+}
+
 std::string summary_json(const Simulation& simulation, const Measures& last, const RunInfo& info)
 {
     const Body& body = simulation.body();
@@ -49,14 +58,14 @@ std::string summary_json(const Simulation& simulation, const Measures& last, con
     {
         j["reason"] = info.reason;
     }
-    j["method"] = choice_of(simulation.options(), "solver.method");
-    j["formulation"] = choice_of(simulation.options(), "solver.formulation");
+    j["method"] = text_of(simulation.options(), "solver.method");
+    j["formulation"] = text_of(simulation.options(), "solver.formulation");
     j["particles"] = body.cloud.positions.size();
     j["surface_particles"] = body.cloud.surface_particles.size();
     j["elements"] = elements;
     j["threads"] = info.threads;
     j["t"] = state.t;
-    j["clock"] = choice_of(simulation.options(), "time.clock");
+    j["clock"] = text_of(simulation.options(), "time.clock");
     j["week"] = last.week;
     j["length_scale"] = last.length_scale;
     j["steps"] = state.steps;
@@ -95,8 +104,10 @@ std::string summary_json(const Simulation& simulation, const Measures& last, con
     j["energy_contact"] = last.energy_contact;
     j["energy_dissipated"] = last.energy_dissipated;
     j["work_growth"] = last.work_growth;
-    j["zero_mode_share"] = last.energy_elastic > 0.0 ? last.energy_zero_mode / last.energy_elastic : 0.0;
-    j["kinetic_share"] = last.energy_elastic > 0.0 ? last.energy_kinetic / last.energy_elastic : 0.0;
+    for (const EquilibriumColumn& column : equilibrium_columns())
+    {
+        j[std::string(column.key)] = last.*column.value;
+    }
     j["barrier_particles"] = last.barrier_particles;
     j["extrapolated_elements"] = last.extrapolated_elements;
     j["inverted_elements"] = last.inverted_elements;
@@ -114,7 +125,9 @@ std::string summary_json(const Simulation& simulation, const Measures& last, con
         j["remesh_volume_change"] = body.report.remesh.volume_change;
         j["remesh_largest_distance_mm"] = body.report.remesh.largest_distance_mm;
     }
-    j["version"] = CORTICLE_VERSION;
+    j["inputs"] = nlohmann::ordered_json::parse(inputs_json(simulation.options()));
+    j["version"] = program_version();
+    j["versions"] = info.versions;
     return j.dump(2) + "\n";
 }
 
@@ -126,7 +139,8 @@ std::string summary_without_state_json(const RunInfo& info)
     j["threads"] = info.threads;
     j["wall_s"] = info.wall_s;
     j["peak_memory_mb"] = peak_memory_mb();
-    j["version"] = CORTICLE_VERSION;
+    j["version"] = program_version();
+    j["versions"] = info.versions;
     return j.dump(2) + "\n";
 }
 
@@ -145,8 +159,6 @@ std::vector<std::string> summary_number_keys()
                                   "output_s",
                                   "peak_memory_mb",
                                   "onset_t",
-                                  "zero_mode_share",
-                                  "kinetic_share",
                                   "spacing_mm",
                                   "neighbours_mean",
                                   "dropped_pairs",
@@ -161,28 +173,6 @@ std::vector<std::string> summary_number_keys()
         }
     }
     return keys;
-}
-
-std::vector<std::string> energy_warnings(const Measures& row)
-{
-    std::vector<std::string> warnings;
-    const double zero_mode = row.energy_zero_mode / row.energy_elastic;
-    const double kinetic = row.energy_kinetic / row.energy_elastic;
-    if (zero_mode > most_zero_mode_share)
-    {
-        warnings.push_back(fmt::format("at t = {:.3f} the zero-energy control holds {:.1f} % of the elastic energy "
-                                       "(above {:.0f} %): the cloud is coarse "
-                                       "for these folds and acts stiffer than the tissue; more particles lower it",
-                                       row.t, 100.0 * zero_mode, 100.0 * most_zero_mode_share));
-    }
-    if (kinetic > most_kinetic_share)
-    {
-        warnings.push_back(fmt::format("at t = {:.3f} the kinetic energy is {:.1f} % of the elastic energy (above "
-                                       "{:.0f} %): growth is too fast to be "
-                                       "quasi-static; a larger solver.loading_time lowers it",
-                                       row.t, 100.0 * kinetic, 100.0 * most_kinetic_share));
-    }
-    return warnings;
 }
 
 } // namespace corticle

@@ -9,8 +9,9 @@ namespace corticle
 /// What a summary tells besides the last measures.
 struct RunInfo
 {
-    std::string status; ///< "completed" | "failed" | "interrupted"
-    std::string reason; ///< of a failure
+    std::string status;   ///< "completed" | "failed" | "interrupted"
+    std::string reason;   ///< of a failure
+    std::string versions; ///< see versions_after()
     int threads = 1;
     double wall_s = 0.0; ///< all sessions of the run together
     double session_wall_s = 0.0;
@@ -18,6 +19,9 @@ struct RunInfo
     double measures_s = 0.0; ///< of the session, in measuring at output times
     double output_s = 0.0;   ///< of the session, in files, pictures and checkpoints
 };
+
+/// The files that a case names, by key: {"geometry.file": {"file": ..., "sha256": ...}}; as JSON.
+std::string inputs_json(const Options& options);
 
 /// summary.json: see docs/guide/run-folder.md for the keys.
 std::string summary_json(const Simulation& simulation, const Measures& last, const RunInfo& info);
@@ -30,8 +34,5 @@ std::vector<std::string> summary_number_keys();
 
 /// Peak resident memory of this process [MB].
 double peak_memory_mb();
-
-/// One line on each share of energy that is too large for quasi-static, well-controlled folding.
-std::vector<std::string> energy_warnings(const Measures& row);
 
 } // namespace corticle

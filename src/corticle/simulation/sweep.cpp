@@ -3,6 +3,8 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/base/terminal.hpp"
+#include "corticle/base/version.hpp"
+#include "corticle/config/case_checks.hpp"
 #include "corticle/io/atomic_file.hpp"
 #include "corticle/io/result_folder.hpp"
 #include "corticle/simulation/interruption.hpp"
@@ -88,13 +90,39 @@ std::string outline(const SweepTable& table, const std::vector<bool>& is_chosen,
     const auto kept = count([](const SweepRow& row) { return row.is_kept; });
     const auto begun = count([](const SweepRow& row) { return row.state.status == "interrupted"; });
     const auto left_out = count([&](const SweepRow& row) { return !row.is_kept && !is_chosen[row.run]; });
+    const auto foreign =
+        count([](const SweepRow& row) { return row.is_kept && row.state.version != program_version(); });
     std::string text = fmt::format("{} runs: {} kept, finished before", table.rows.size(), kept);
+    text += foreign > 0 ? fmt::format(" ({} of them by another version than {})", foreign, program_version()) : "";
     text += begun > 0 ? fmt::format("; {} interrupted", begun) : "";
     text += left_out > 0 ? fmt::format("; {} left out by --only", left_out) : "";
     text += unused > 0 ? fmt::format("; {} other runs in {} are not part of this sweep and are left alone", unused,
                                      (table.out / "runs").string())
                        : "";
     return text + "\n";
+}
+
+/// Says which growth times of measures ("KEY@T") runs do not reach.
+void warn_of_unreached_times(const SweepTable& table)
+{
+    const auto warn = [&](const std::string& what, double t)
+    {
+        const auto beyond = std::ranges::count_if(
+            table.runs, [&](const SweepRun& run)
+            { return t < run.options.time.start - same_output_time || t > run.options.time.end + same_output_time; });
+        if (beyond > 0)
+        {
+            fmt::print(stderr, "corticle: warning: {}: t = {:g} lies outside {} of {} runs, whose cells stay empty\n",
+                       what, t, beyond, table.runs.size());
+        }
+    };
+    for (const SweepMeasure& measure : table.sweep.measures)
+    {
+        if (measure.t)
+        {
+            warn(fmt::format("measures ({}) {}", measure.where, measure.text), *measure.t);
+        }
+    }
 }
 
 /// Writes the cases to be run and returns the runs to be made; runs that share a folder are made once.
@@ -205,6 +233,10 @@ RunStatus sweep(const SweepRequest& request)
     SweepTable table = plan_sweep(request);
     const std::vector<bool> is_chosen = chosen_runs(table.sweep, table.runs, request.only);
     require_no_run(table.out);
+    if (!request.quiet)
+    {
+        warn_of_unreached_times(table);
+    }
     if (request.list)
     {
         print_standing(table, is_chosen);

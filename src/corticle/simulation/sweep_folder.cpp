@@ -108,6 +108,7 @@ RunState read_state(const fs::path& run_folder)
     {
         state.status = status;
         state.reason = text("reason");
+        state.version = text("version");
     }
     return state;
 }

@@ -13,6 +13,7 @@ struct RunState
 {
     std::string status = "pending";        ///< "completed" | "failed" | "interrupted" | "pending"
     std::string reason;                    ///< of a failure
+    std::string version;                   ///< of the program that ended it
     std::map<std::string, double> numbers; ///< those of summary.json
     std::vector<std::string> warnings;     ///< those of run.log, each once
 

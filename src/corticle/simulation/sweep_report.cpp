@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/base/version.hpp"
 #include "corticle/config/parameters.hpp"
 #include "corticle/io/markdown.hpp"
 #include "corticle/simulation/sweep_table.hpp"
@@ -322,7 +323,7 @@ std::string sweep_json(const SweepTable& table, const Pictures& pictures)
         json["runs"].push_back(row_json(table, row));
     }
     json["pictures"] = pictures.files;
-    json["version"] = CORTICLE_VERSION;
+    json["version"] = program_version();
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -247,8 +247,9 @@ InternalResponse PrintedSolver::evaluate(std::span<const Vec3> x, double t, std:
     {
         add_corrected_differences(forces);
     }
-    // A non-finite position spreads into its neighbours' J, which the test above sees; energies see the rest.
-    if (!std::isfinite(total.elastic_energy + total.zero_mode_energy))
+    // A non-finite position spreads into its neighbours' J, which the test above sees; energies and the rate, which the
+    // step follows, see the rest.
+    if (!std::isfinite(total.elastic_energy + total.zero_mode_energy + total.stiffest_rate))
     {
         total.invalid_at = total.smallest_J_at;
     }
