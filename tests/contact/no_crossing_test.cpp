@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/contact/surface_contact.hpp"
+
+#include "contact/banks.hpp"
 #include "corticle/dynamics/integrator.hpp"
 #include "corticle/geometry/self_intersections.hpp"
 #include "corticle/geometry/shapes.hpp"
