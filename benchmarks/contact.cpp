@@ -54,7 +54,6 @@ void contact_force(benchmark::State& state)
     const FoldedSphere& surface = made_for<FoldedSphere>(state.range(0));
     SurfaceContact contact(surface.rest.triangles, surface.rest.vertices, std::vector<double>(surface.x.size(), 0.5),
                            1.0, 2.5, {});
-    const std::vector<Vec3> velocity(surface.x.size());
     std::vector<Vec3> forces(surface.x.size());
     std::vector<Vec3> moved = surface.x;
     for (Vec3& x : moved)
@@ -65,7 +64,7 @@ void contact_force(benchmark::State& state)
     const auto evaluate = [&]
     {
         there = !there;
-        return contact.evaluate(there ? moved : surface.x, velocity, 0.1, forces);
+        return contact.evaluate(there ? moved : surface.x, forces);
     };
     if (evaluate().active == 0)
     {

@@ -38,7 +38,7 @@ struct Loose
     void step(double dt, std::span<const Vec3> loads)
     {
         motion.force.assign(loads.begin(), loads.end());
-        active += contact.evaluate(motion.x, motion.v, dt, motion.force).active;
+        active += contact.evaluate(motion.x, motion.force).active;
         Motion next = motion;
         advance(motion, masses, dt, 0.0, next);
         std::vector<Vec3> displacements = next.v;
@@ -154,7 +154,7 @@ TEST(TravelLimit, KeepsTheMomentumOfWhatItJoins)
         displacements[k] = 0.05 * test::random_vector(7, k);
     }
     std::vector<Vec3> forces(displacements.size());
-    banks.contact.evaluate(banks.motion.x, banks.motion.v, 1.0, forces);
+    banks.contact.evaluate(banks.motion.x, forces);
     Vec3 before;
     Vec3 after;
     for (const Vec3& u : displacements)

@@ -15,7 +15,7 @@ namespace
 
 constexpr double least_reach = 0.08;    ///< [spacings]
 constexpr double largest_reach = 0.8;   ///< [spacings]
-constexpr double steps_of_reach = 30.0; ///< for which a vertex that keeps its speed stays within its reach
+constexpr double steps_of_reach = 30.0; ///< like the last one, that a vertex makes within its reach
 
 } // namespace
 
@@ -23,7 +23,7 @@ NearPairs::NearPairs(std::span<const Triangle> triangles, std::span<const Vec3> 
     : parts_(triangles, rest), range_(range), spacing_(spacing), reach_(rest.size()), step_(rest.size()),
       vertex_path_(rest.size()), triangle_path_(parts_.triangles().size()), edge_path_(parts_.edges().size())
 {
-    update(rest, std::vector<Vec3>(rest.size()), 0.0);
+    update(rest);
 }
 
 double NearPairs::path_of(const VertexTriangle& pair) const
@@ -114,15 +114,16 @@ bool NearPairs::follow(std::span<const Vec3> x)
 }
 
 /// Finds the candidates anew when one may be missing.
-void NearPairs::refresh_candidates(std::span<const Vec3> x, std::span<const Vec3> v, double dt)
+void NearPairs::refresh_candidates(std::span<const Vec3> x)
 {
     if (listed_at_.size() == x.size() && !follow(x))
     {
         return;
     }
-    parallel_for(
-        std::ssize(x), [&](std::int64_t k)
-        { reach_[k] = std::min(largest_reach * spacing_, least_reach * spacing_ + steps_of_reach * dt * norm(v[k])); });
+    parallel_for(std::ssize(x),
+                 [&](std::int64_t k) {
+                     reach_[k] = std::min(largest_reach * spacing_, least_reach * spacing_ + steps_of_reach * step_[k]);
+                 });
     parts_.find_candidates(x, range_, reach_, candidates_);
     parallel_runs(watching<VertexTriangle>(candidates_.vertex_triangle, vertices_),
                   watching<EdgeEdge>(candidates_.edge_edge, edges_));
@@ -130,9 +131,9 @@ void NearPairs::refresh_candidates(std::span<const Vec3> x, std::span<const Vec3
     last_x_ = listed_at_;
 }
 
-void NearPairs::update(std::span<const Vec3> x, std::span<const Vec3> v, double dt)
+void NearPairs::update(std::span<const Vec3> x)
 {
-    refresh_candidates(x, v, dt);
+    refresh_candidates(x);
     parallel_runs(measuring<VertexTriangle>(x, candidates_.vertex_triangle, vertices_),
                   measuring<EdgeEdge>(x, candidates_.edge_edge, edges_));
 }

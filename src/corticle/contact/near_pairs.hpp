@@ -20,9 +20,7 @@ class NearPairs
     NearPairs(std::span<const Triangle> triangles, std::span<const Vec3> rest, double range, double spacing);
 
     /// Finds the near pairs at positions x.
-    /// @param v   velocities [mm per unit of time], and
-    /// @param dt  about the step that is made with them: how far vertices may soon move is a matter of speed alone
-    void update(std::span<const Vec3> x, std::span<const Vec3> v, double dt);
+    void update(std::span<const Vec3> x);
 
     const SurfaceParts& parts() const { return parts_; }
     double range() const { return range_; }
@@ -48,7 +46,7 @@ class NearPairs
     double path_of(const VertexTriangle& pair) const;
     double path_of(const EdgeEdge& pair) const;
     bool follow(std::span<const Vec3> x);
-    void refresh_candidates(std::span<const Vec3> x, std::span<const Vec3> v, double dt);
+    void refresh_candidates(std::span<const Vec3> x);
 
     SurfaceParts parts_;
     double range_;

@@ -16,11 +16,6 @@ namespace
 
 constexpr double edge_share = 1.0; ///< stiffness of an edge over the mean of its ends
 
-Vec3 at(std::span<const Vec3> x, std::int32_t vertex)
-{
-    return x[static_cast<std::size_t>(vertex)];
-}
-
 /// Those who repel the other part if the pair is their closest: the vertex of a triangle, or both edges.
 std::array<std::int32_t, 1> owners_of(const VertexTriangle& pair)
 {
@@ -47,7 +42,8 @@ std::vector<double> least_separations(std::span<const Barrier> barriers)
 SurfaceContact::SurfaceContact(std::span<const Triangle> triangles, std::span<const Vec3> rest,
                                std::vector<double> masses, double spacing, double frequency,
                                const ContactOptions& options)
-    : near_(triangles, rest, options.distance * spacing, spacing), masses_(std::move(masses)), loads_(rest.size())
+    : near_(triangles, rest, options.distance * spacing, spacing),
+      masses_(std::move(masses)), loads_{std::vector<Load>(rest.size()), std::vector<Load>(rest.size())}
 {
     const double range = near_.range();
     const auto barrier = [&](double mass) {
@@ -70,7 +66,8 @@ SurfaceContact::SurfaceContact(std::span<const Triangle> triangles, std::span<co
 template <class Pair>
 void SurfaceContact::set_gaps(const NearPairs::Blocks<Pair>& near, Owners<Pair>& owners) const
 {
-    owners.closest.resize(owners.barrier.size());
+    owners.closest[0].resize(owners.barrier.size());
+    owners.closest[1].resize(owners.barrier.size());
     for_each_of(near,
                 [&](const Pair& pair)
                 {
@@ -81,33 +78,69 @@ void SurfaceContact::set_gaps(const NearPairs::Blocks<Pair>& near, Owners<Pair>&
                 });
 }
 
-/// Finds the closest near pair of every owner, of several as close the first, and who repels it.
+/// Finds the closest of one half of the near pairs for every owner, of several as close the first.
 template <class Pair>
-void SurfaceContact::choose(const NearPairs::Blocks<Pair>& near, Owners<Pair>& owners) const
+void SurfaceContact::choose(const NearPairs::Blocks<Pair>& near, std::size_t half, Owners<Pair>& owners) const
 {
-    for (Pair& pair : owners.closest)
+    std::vector<Pair>& closest = owners.closest[half];
+    double& least = owners.least[half];
+    for (Pair& pair : closest)
     {
         pair.distance = std::numeric_limits<double>::infinity();
     }
-    for_each_of(near,
-                [&](const Pair& pair)
-                {
-                    for (const std::int32_t owner : owners_of(pair))
-                    {
-                        if (pair.distance < owners.closest[owner].distance)
-                        {
-                            owners.closest[owner] = pair;
-                        }
-                    }
-                });
-    owners.repelling.clear();
-    for (std::int32_t owner = 0; owner < std::ssize(owners.closest); ++owner)
+    least = std::numeric_limits<double>::infinity();
+    const std::size_t middle = near.size() / 2;
+    for (const std::vector<Pair>& block : half == 0 ? std::span(near).first(middle) : std::span(near).subspan(middle))
     {
-        if (owners.closest[owner].distance < owners.barrier[owner].gap)
+        for (const Pair& pair : block)
         {
-            owners.repelling.push_back(owner);
+            least = std::min(least, pair.distance);
+            for (const std::int32_t owner : owners_of(pair))
+            {
+                if (pair.distance < closest[owner].distance)
+                {
+                    closest[owner] = pair;
+                }
+            }
         }
     }
+}
+
+/// Joins what was found in both halves, and lists the owners that repel.
+template <class Pair>
+void SurfaceContact::settle(Owners<Pair>& owners) const
+{
+    auto& [closest, closest_of_second] = owners.closest;
+    parallel_list(std::ssize(owners.barrier), owners.repelling,
+                  [&](std::int64_t begin, std::int64_t end, std::vector<std::int32_t>& repelling)
+                  {
+                      for (std::int64_t owner = begin; owner < end; ++owner)
+                      {
+                          if (closest_of_second[owner].distance < closest[owner].distance)
+                          {
+                              closest[owner] = closest_of_second[owner];
+                          }
+                          if (closest[owner].distance < owners.barrier[owner].gap)
+                          {
+                              repelling.push_back(static_cast<std::int32_t>(owner));
+                          }
+                      }
+                  });
+}
+
+/// Finds who repels what.
+void SurfaceContact::find_repelling()
+{
+    parallel_blocks(
+        4,
+        [this](std::int64_t task, std::int64_t)
+        {
+            const auto half = static_cast<std::size_t>(task % 2);
+            task < 2 ? choose(near_.edge_edge(), half, edges_) : choose(near_.vertex_triangle(), half, vertices_);
+        },
+        1);
+    settle(vertices_);
+    settle(edges_);
 }
 
 /// Works out the pushes of those who repel, to where they are wanted.
@@ -123,7 +156,7 @@ auto SurfaceContact::working_out(std::span<const Vec3> x, const Owners<Pair>& ow
                          const auto count = static_cast<std::size_t>(end - begin);
                          for (std::size_t m = 0; m < count; ++m)
                          {
-                             pairs[m] = owners.closest[owners.repelling[begin + m]];
+                             pairs[m] = owners.closest[0][owners.repelling[begin + m]];
                          }
                          near_.parts().locate(x, std::span(pairs).first(count), points);
                          for (std::size_t m = 0; m < count; ++m)
@@ -142,46 +175,72 @@ auto SurfaceContact::working_out(std::span<const Vec3> x, const Owners<Pair>& ow
 /// each push it is that of the matrix of b_p · b_q, whose rows sum to no more than sqrt(k_p) sum_i |w_i| r_i / m_i.
 double SurfaceContact::largest_rate() const
 {
-    double largest = 0.0;
-    for (const Push& push : pushes_)
-    {
-        double row = 0.0;
-        for (std::size_t k = 0; k < 4; ++k)
+    const double squared = parallel_reduce(
+        std::ssize(pushes_), 0.0,
+        [this](std::int64_t begin, std::int64_t end)
         {
-            const auto i = static_cast<std::size_t>(push.vertex[k]);
-            row += std::abs(push.weight[k]) * loads_[i].root_stiffness / masses_[i];
-        }
-        largest = std::max(largest, push.root_stiffness * row);
-    }
-    return std::sqrt(largest);
+            double largest = 0.0;
+            for (std::int64_t p = begin; p < end; ++p)
+            {
+                const Push& push = pushes_[p];
+                double row = 0.0;
+                for (std::size_t k = 0; k < 4; ++k)
+                {
+                    const std::int32_t i = push.vertex[k];
+                    row += std::abs(push.weight[k]) * loads_[0][i].root_stiffness / masses_[i];
+                }
+                largest = std::max(largest, push.root_stiffness * row);
+            }
+            return largest;
+        },
+        [](double& total, double part) { total = std::max(total, part); });
+    return std::sqrt(squared);
 }
 
-ContactResponse SurfaceContact::evaluate(std::span<const Vec3> x, std::span<const Vec3> v, double dt,
-                                         std::span<Vec3> forces)
+/// Adds the pushes up to what acts on each vertex, half of them at a time.
+void SurfaceContact::add_up()
 {
-    near_.update(x, v, dt);
-    parallel_both([&] { choose(near_.vertex_triangle(), vertices_); }, [&] { choose(near_.edge_edge(), edges_); });
-    pushes_.resize(vertices_.repelling.size() + edges_.repelling.size());
+    const std::size_t middle = pushes_.size() / 2;
+    const auto add = [this](std::span<const Push> pushes, std::vector<Load>& loads)
+    {
+        std::ranges::fill(loads, Load{});
+        for (const Push& push : pushes)
+        {
+            for (std::size_t k = 0; k < 4; ++k)
+            {
+                Load& load = loads[static_cast<std::size_t>(push.vertex[k])];
+                load.force += push.weight[k] * push.force;
+                load.root_stiffness += std::abs(push.weight[k]) * push.root_stiffness;
+            }
+        }
+    };
+    parallel_both([&] { add(std::span(pushes_).first(middle), loads_[0]); },
+                  [&] { add(std::span(pushes_).subspan(middle), loads_[1]); });
+}
+
+ContactResponse SurfaceContact::evaluate(std::span<const Vec3> x, std::span<Vec3> forces)
+{
+    near_.update(x);
+    find_repelling();
+    ContactResponse response;
+    response.active = std::ssize(vertices_.repelling) + std::ssize(edges_.repelling);
+    if (response.active == 0)
+    {
+        return response;
+    }
+    pushes_.resize(static_cast<std::size_t>(response.active));
     parallel_runs(working_out(x, vertices_, pushes_.data()),
                   working_out(x, edges_, pushes_.data() + vertices_.repelling.size()));
-    ContactResponse response;
-    std::ranges::fill(loads_, Load{});
-    for (const Push& push : pushes_)
-    {
-        for (std::size_t k = 0; k < 4; ++k)
-        {
-            Load& load = loads_[static_cast<std::size_t>(push.vertex[k])];
-            load.force += push.weight[k] * push.force;
-            load.root_stiffness += std::abs(push.weight[k]) * push.root_stiffness;
-        }
-        response.energy += push.energy;
-    }
-    response.active = std::ssize(pushes_);
+    add_up();
+    parallel_runs(each(std::ssize(forces),
+                       [&](std::int64_t k)
+                       {
+                           loads_[0][k].root_stiffness += loads_[1][k].root_stiffness;
+                           forces[k] += loads_[0][k].force + loads_[1][k].force;
+                       }));
     response.largest_rate = largest_rate();
-    for (std::size_t k = 0; k < loads_.size(); ++k)
-    {
-        forces[k] += loads_[k].force;
-    }
+    response.energy =
+        parallel_sum(response.active, [this](std::int64_t p) { return pushes_[static_cast<std::size_t>(p)].energy; });
     return response;
 }
 

@@ -7,6 +7,7 @@
 #include "corticle/contact/options.hpp"
 #include "corticle/contact/travel_limit.hpp"
 
+#include <algorithm>
 #include <optional>
 
 namespace corticle
@@ -40,14 +41,14 @@ class SurfaceContact
                    double spacing, double frequency, const ContactOptions& options);
 
     /// Adds the contact forces at positions x to `forces` (both per surface vertex).
-    /// @param v, dt  velocities and about the next step; they change no result, see NearPairs::update
-    ContactResponse evaluate(std::span<const Vec3> x, std::span<const Vec3> v, double dt, std::span<Vec3> forces);
+    ContactResponse evaluate(std::span<const Vec3> x, std::span<Vec3> forces);
 
     /// Changes displacements [mm] of vertices from the positions last evaluated where parts would come closer than is
     /// safe, see TravelLimit. @return the vertices whose displacement has changed, in ascending order
     std::span<const std::int32_t> hold_apart(std::span<Vec3> displacements)
     {
-        return travel_limit_->apply(near_, displacements);
+        return travel_limit_->apply(
+            near_, std::min({vertices_.least[0], vertices_.least[1], edges_.least[0], edges_.least[1]}), displacements);
     }
 
     /// Distance below which surfaces repel [mm].
@@ -59,8 +60,9 @@ class SurfaceContact
     struct Owners
     {
         std::vector<Barrier> barrier;
-        std::vector<Pair> closest; ///< of each its closest near pair
-        std::vector<std::int32_t> repelling;
+        std::array<std::vector<Pair>, 2> closest; ///< near pair of each, in both halves of them; then of all, first
+        std::array<double, 2> least{};            ///< distance in both halves of the near pairs [mm]
+        std::vector<std::int32_t> repelling;      ///< those whose closest is nearer than their gap, ascending
     };
     struct Push
     {
@@ -79,9 +81,13 @@ class SurfaceContact
     template <class Pair>
     void set_gaps(const NearPairs::Blocks<Pair>& near, Owners<Pair>& owners) const;
     template <class Pair>
-    void choose(const NearPairs::Blocks<Pair>& near, Owners<Pair>& owners) const;
+    void choose(const NearPairs::Blocks<Pair>& near, std::size_t half, Owners<Pair>& owners) const;
+    template <class Pair>
+    void settle(Owners<Pair>& owners) const;
+    void find_repelling();
     template <class Pair>
     auto working_out(std::span<const Vec3> x, const Owners<Pair>& owners, Push* pushes) const;
+    void add_up();
     double largest_rate() const;
 
     NearPairs near_;
@@ -90,7 +96,7 @@ class SurfaceContact
     Owners<EdgeEdge> edges_;
     std::optional<TravelLimit> travel_limit_; ///< set once the gaps are known
     std::vector<Push> pushes_;
-    std::vector<Load> loads_;
+    std::array<std::vector<Load>, 2> loads_; ///< of both halves of the pushes; once added up, the first is of all
 };
 
 } // namespace corticle

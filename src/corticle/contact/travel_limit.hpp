@@ -31,8 +31,9 @@ class TravelLimit
     TravelLimit(std::vector<double> masses, std::vector<double> vertex_least, std::vector<double> edge_least);
 
     /// Changes displacements of vertices [mm] from the positions of `near`.
+    /// @param least_distance  of all near pairs [mm]
     /// @return the vertices whose displacement has changed, in ascending order
-    std::span<const std::int32_t> apply(const NearPairs& near, std::span<Vec3> displacements);
+    std::span<const std::int32_t> apply(const NearPairs& near, double least_distance, std::span<Vec3> displacements);
 
   private:
     using FourVertices = std::array<std::int32_t, 4>;
@@ -59,6 +60,7 @@ class TravelLimit
     std::vector<double> masses_;
     std::vector<double> vertex_least_;
     std::vector<double> edge_least_;
+    double largest_least_; ///< of both [mm]
 
     Vec3 mean_;                                      ///< displacement
     std::vector<double> way_;                        ///< of each vertex beside the mean [mm]

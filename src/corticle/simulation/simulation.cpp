@@ -135,16 +135,14 @@ void Simulation::add_contact(Motion& motion)
     const Stopwatch watch(seconds_.contact);
     const std::vector<std::int32_t>& particles = contact_particles_;
     contact_x_.resize(particles.size());
-    contact_v_.resize(particles.size());
     contact_force_.resize(particles.size());
     parallel_runs(each(std::ssize(particles),
                        [&](std::int64_t k)
                        {
                            contact_x_[k] = motion.x[particles[k]];
-                           contact_v_[k] = motion.v[particles[k]];
                            contact_force_[k] = {};
                        }));
-    contact_response_ = contact_.evaluate(contact_x_, contact_v_, critical_dt_, contact_force_);
+    contact_response_ = contact_.evaluate(contact_x_, contact_force_);
     parallel_runs(
         each(std::ssize(particles), [&](std::int64_t k) { motion.force[particles[k]] += contact_force_[k]; }));
     if (options_.dynamics.time_step <= 0.0)
