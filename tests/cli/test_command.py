@@ -44,28 +44,10 @@ def starter(bench):
         bench.accepted("new", f"{shape}.toml", "--shape", shape)
         bench.check((bench.folder / f"{shape}.toml").is_file(), f"new wrote no {shape}.toml")
     bench.accepted("check", "sphere.toml", "--set", "geometry.particles=1000")
-    examples(bench, (bench.folder / "sphere.toml").read_text())
     bench.refused(["new", "sphere.toml"], ["sphere.toml", "exists"])
     bench.refused(["new", "case.txt"], ["case.txt", ".toml"])
     bench.refused(["new", "no_such_folder/case.toml"], ["no_such_folder"])
     bench.refused(["new", "a.toml", "--shape", "cube"], ["cube", "sphere"])
-
-
-def examples(bench, text):
-    """What stands behind a comment sign in a starter is valid without it."""
-    def without(lines, *keys):
-        return [line for line in lines if line.split(" = ")[0] not in keys]
-
-    lines = text.splitlines()
-    for key, removed in (("elements", ("particles",)), ("spacing_mm", ("particles",))):
-        given = [line.removeprefix("# ") if line.startswith(f"# {key} = ") else line for line in lines]
-        bench.check(given != lines, f"the starter has no example of {key}")
-        bench.write("example.toml", "\n".join(without(given, *removed)))
-        bench.accepted("check", "example.toml")
-    weeks = [line.removeprefix("# ") if line.startswith(("# start_week", "# end_week")) else line for line in lines]
-    weeks = ['clock = "wang"' if line.startswith("clock = ") else line for line in without(weeks, "start", "end")]
-    bench.write("example.toml", "\n".join(weeks))
-    bench.accepted("check", "example.toml", "--set", "geometry.particles=1000")
 
 
 def bad_cases(bench):

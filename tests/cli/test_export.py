@@ -107,7 +107,7 @@ def times_and_refusals(bench):
     output = bench.accepted("export", "run", "--format", "stl", "--out", "s", "--time", "0.009", "--time", "0",
                             "--time", "0.011")
     names = sorted(path.name for path in (bench.folder / "s").iterdir())
-    bench.check(names == ["surface_t0.000.stl", "surface_t0.010.stl"], f"--time wrote {names}")
+    bench.check(names == ["corticle-files.txt", "surface_t0.000.stl", "surface_t0.010.stl"], f"--time wrote {names}")
     bench.check("t = 0.01 (nearest to 0.009, 0.011)" in output, f"export says {output!r}")
     bench.refused(["export", "run", "--format", "stl", "--time", "nan"], ["--time", "nan"])
     bench.refused(["export", "run", "--format", "stl", "--time", "soon"], ["--time", "soon"])

@@ -10,6 +10,7 @@ import signal
 import subprocess
 import termios
 import time
+from pathlib import Path
 
 import _command
 from _run_folders import stop, wait_for
@@ -110,19 +111,32 @@ def sweeps(bench):
         bench.check(got == "interrupted", f"sweep, {number.name} twice: its run is {got}")
 
 
+def address_space(bench, *arguments):
+    """The largest address space of a command [bytes]."""
+    process = bench.start(*arguments)
+    largest = 0
+    while process.poll() is None:
+        status = Path(f"/proc/{process.pid}/status").read_text(encoding="ascii")
+        largest = max([largest, *(int(line.split()[1]) << 10 for line in status.splitlines() if line.startswith("VmPeak"))])
+        time.sleep(0.005)
+    process.communicate()
+    return largest
+
+
 def memory(bench):
-    """Without memory: one line and exit status 3."""
-    bench.write("case.toml", CASE.replace("1500", "300000"))
-    for command in (["run", "case.toml", "--out", "m"], ["prepare", "case.toml", "--out", "m"]):
-        with subprocess.Popen([bench.command, *command, "--threads", "1"], cwd=bench.folder, stdin=subprocess.DEVNULL,
-                              text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (700 << 20, 700 << 20))) as process:
+    """A body that does not fit beside what a small one takes: one line and exit status 3."""
+    bench.write("case.toml", CASE)
+    small = ("--set", "geometry.particles=600", "--set", "time.end=0.001", "--threads", "1", "--quiet")
+    for verb in ("run", "prepare"):
+        limit = address_space(bench, verb, "case.toml", "--out", f"small_{verb}", *small) + (4 << 20)
+        with subprocess.Popen([bench.command, verb, "case.toml", "--out", verb, "--threads", "1", "--set",
+                               "geometry.particles=25000"], cwd=bench.folder, stdin=subprocess.DEVNULL, text=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit))) as process:
             _, errors = process.communicate(timeout=300)
-        if "shared" in errors and "librar" in errors:
-            print("not even the libraries fit: not checked")
-            return
         bench.check(process.returncode == 3 and errors == "corticle: error: out of memory\n",
-                    f"{command[0]} without memory: exit status {process.returncode}, stderr {errors[-500:]!r}")
+                    f"{verb} without memory: exit status {process.returncode}, stderr {errors[-500:]!r}")
+        bench.check(summary(bench, verb).get("status", "failed") == "failed", f"{verb}: summary {summary(bench, verb)}")
 
 
 if __name__ == "__main__":

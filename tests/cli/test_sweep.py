@@ -242,6 +242,20 @@ def changed(bench):
     bench.check((bench.folder / "S/runs/cfl-0.3_particles-600_2/summary.json").is_file(), "no folder for the other base")
 
 
+def warned(bench):
+    """What a run warns of is said by the sweep, when the run ends and in the tables."""
+    write(bench, 'base = "base.toml"\npictures = false\n[[axis]]\nkey = "tissue.thickness_mm"\nvalues = [0.5, 5]\n')
+    status, _, errors = bench.call(*SWEEP_OF, "--set", "time.end=0.001")
+    lines = errors.splitlines()
+    bench.check(status == 0 and lines and all(line.startswith("corticle: warning: thickness_mm-0.5: ") for line in lines),
+                f"warnings: {status} {errors!r}")
+    bench.check("two spacings" in errors, f"the thin cortex is not warned of: {errors!r}")
+    document = json.loads((bench.folder / "S/sweep.json").read_text(encoding="utf-8"))
+    bench.check([bool(run["warnings"]) for run in document["runs"]] == [True, False], "sweep.json: warnings")
+    bench.check("Warnings of the runs" in (bench.folder / "S/sweep.md").read_text(encoding="utf-8"), "sweep.md: warnings")
+    bench.check(bench.call(*SWEEP_OF, "--set", "time.end=0.002", "--quiet")[2] == "", "--quiet shows warnings")
+
+
 def zipped(bench):
     """Zipped axes, ranges, settings from the command line, a reference by values."""
     sweep = """base = "base.toml"
@@ -357,4 +371,4 @@ def refusals(bench):
 
 if __name__ == "__main__":
     sys.stdout.reconfigure(line_buffering=True)
-    _command.main(__doc__, whole_sweep, killed, interrupted, orphans, failed, crashed, changed, zipped, cases_only, refusals)
+    _command.main(__doc__, whole_sweep, killed, interrupted, orphans, failed, crashed, changed, warned, zipped, cases_only, refusals)

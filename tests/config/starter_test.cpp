@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/config/starter.hpp"
+
+#include "corticle/config/case_file.hpp"
+
+#include <gtest/gtest.h>
+
+namespace corticle
+{
+
+namespace
+{
+
+void replace(std::string& text, const std::string& old, const std::string& with)
+{
+    const std::size_t at = text.find("\n" + old);
+    ASSERT_NE(at, std::string::npos) << old;
+    text.replace(at + 1, old.size(), with);
+}
+
+Options parsed(const std::string& text)
+{
+    return parse_case(text, "starter", {}, "");
+}
+
+} // namespace
+
+// What stands behind a comment sign in a starter is valid without it.
+
+TEST(Starter, ItsResolutionsAreValid)
+{
+    for (const char* key : {"spacing_mm", "elements"})
+    {
+        std::string text = starter_case("sphere");
+        replace(text, "particles = ", "# particles = ");
+        replace(text, "# " + std::string(key) + " = ", std::string(key) + " = ");
+        EXPECT_NO_THROW(parsed(text)) << key;
+        replace(text, "method = \"tlsph\"", "method = \"fem\"");
+        EXPECT_NO_THROW(parsed(text)) << key << " with finite elements";
+    }
+}
+
+TEST(Starter, ItsWeeksAreValid)
+{
+    for (const char* clock : {"wang", "cubic"})
+    {
+        std::string text = starter_case("ellipsoid");
+        replace(text, "clock = \"none\"", "clock = \"" + std::string(clock) + "\"");
+        replace(text, "start = ", "# start = ");
+        replace(text, "end = ", "# end = ");
+        replace(text, "# start_week = ", "start_week = ");
+        replace(text, "# end_week = ", "end_week = ");
+        EXPECT_NO_THROW(parsed(text)) << clock;
+    }
+}
+
+} // namespace corticle
