@@ -109,7 +109,7 @@ TEST(RunWarnings, BrokenStatesTellHowManyAndWhere)
     row.overlap_area_share = 2e-5;
     row.overlap_place = {4.0, 5.0, 6.0};
     ASSERT_THAT(kinds(row), ElementsAre("inverted_elements", "overlap_area_share"));
-    EXPECT_THAT(run_warnings(row, run)[0].text, HasSubstr("at t = 0.250 6 tets are turned inside out"));
+    EXPECT_THAT(run_warnings(row, run)[0].text, HasSubstr("at t = 0.250 6 tets are inverted (det F <= 0)"));
     EXPECT_THAT(run_warnings(row, run)[0].text, HasSubstr("(1.5, -2, 3) mm"));
     EXPECT_THAT(run_warnings(row, run)[1].text, HasSubstr("0.002 % of the surface"));
     EXPECT_THAT(run_warnings(row, run)[1].text, HasSubstr("(4, 5, 6) mm"));

@@ -20,7 +20,11 @@ struct alignas(sizeof(Real) == sizeof(double) ? 32 : alignof(Real)) BasicVec3
 
     constexpr Real& operator[](int axis) { return axis == 0 ? x : (axis == 1 ? y : z); }
     constexpr const Real& operator[](int axis) const { return axis == 0 ? x : (axis == 1 ? y : z); }
-    friend constexpr bool operator==(const BasicVec3& a, const BasicVec3& b) = default;
+    /// Of the three numbers: the fourth lane is no part of the vector.
+    friend constexpr bool operator==(const BasicVec3& a, const BasicVec3& b)
+    {
+        return a.x == b.x && a.y == b.y && a.z == b.z;
+    }
 };
 using Vec3 = BasicVec3<double>;
 

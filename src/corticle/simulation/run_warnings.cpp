@@ -65,7 +65,7 @@ void add_counts(const Measures& row, const RunSize& run, std::vector<RunWarning>
                                                   what, at_place(row.smallest_J_place), advice)});
         }
     };
-    add("inverted_elements", row.inverted_elements, 0.0, "tets are turned inside out (det F <= 0)",
+    add("inverted_elements", row.inverted_elements, 0.0, "tets are inverted (det F <= 0)",
         "what is around them is not to be trusted; more elements or a larger solver.loading_time may help");
     add("extrapolated_elements", row.extrapolated_elements, most_flat * run.elements,
         fmt::format("tets (of {:.0f}) are flat in one direction, where their law is extrapolated", run.elements),
