@@ -2,6 +2,7 @@
 #pragma once
 
 #include "corticle/contact/surface_contact.hpp"
+#include "corticle/dynamics/loading.hpp"
 #include "corticle/dynamics/runge_kutta.hpp"
 #include "corticle/simulation/body.hpp"
 #include "corticle/simulation/state.hpp"
@@ -53,7 +54,6 @@ class Simulation
     void add_contact(Motion& motion);
     bool evaluate(Motion& motion, double t);
     std::optional<StepEnergies> propose(double t, double dt);
-    void adjust_loading(double growth_step);
     void note_onset();
     [[noreturn]] void give_up(const Motion& motion, double t, double dt) const;
 
@@ -65,6 +65,7 @@ class Simulation
     SurfaceContact contact_;
     double total_time_; ///< T, time of t = 0..1
     double damping_;    ///< gamma
+    Loading loading_;
     State state_;
     Motion proposed_;
     InternalResponse internal_;

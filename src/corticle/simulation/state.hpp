@@ -23,7 +23,7 @@ struct State
     std::int64_t steps = 0;
     std::int64_t rejected_steps = 0;
     double step_scale = 1.0;     ///< 1, or what rejections have left of it; grows back
-    double loading_rate = 1.0;   ///< dt/dtime in units of 1/T: 1, or more once folds have appeared
+    double loading_rate = 1.0;   ///< dt/dtime in units of 1/T
     double kinetic_energy = 0.0; ///< [mu_w mm³]
     EnergyBooks books;
     double lowest_gi_sphere = 1e300; ///< lowest sphere index so far
