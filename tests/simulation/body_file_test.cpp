@@ -19,7 +19,7 @@ TEST(BodyFile, ReadsBackToTheSameBits)
     for (std::size_t i = 0; i < written.cloud.positions.size(); ++i)
     {
         const double x = written.cloud.positions[i].x;
-        written.tissue.regional_rate[i] = 1.0 + 0.01 * x;
+        written.tissue.mapped_rate[i] = 1.0 + 0.01 * x;
         written.tissue.growth_onset.push_back(0.02 * x);
         written.tissue.growth_rate.push_back(2.0 + 0.03 * x);
         written.tissue.thickness.push_back(2.0 + 0.04 * x);

@@ -211,19 +211,19 @@ TEST(Simulation, LoadsFasterOnceFoldsHaveAppeared)
     Options options = test::sphere_options(2500);
     Body body = test::small_sphere();
     Simulation simulation(body, options);
-    while (simulation.state().t < 0.2)
+    while (simulation.state().t < 0.17)
     {
-        simulation.step(0.2);
+        simulation.step(0.17);
     }
     EXPECT_EQ(simulation.state().loading_rate, 1.0);
 
     State folded = simulation.state();
-    folded.onset_t = 0.2;
+    folded.onset_t = 0.17;
     simulation.restore(folded);
     double last = 1.0;
-    while (simulation.state().t < 0.3)
+    while (simulation.state().t < 0.27)
     {
-        simulation.step(0.3);
+        simulation.step(0.27);
         const double rate = simulation.state().loading_rate;
         ASSERT_NEAR(rate / last, 1.0, 0.05); // no jolts
         ASSERT_LE(rate, options.dynamics.fastest_loading);

@@ -14,6 +14,7 @@ inline Options sphere_options(std::int64_t particles)
     options.geometry.shape = "sphere";
     options.geometry.radius_mm = 12.496;
     options.geometry.particles = particles;
+    options.imperfection.amplitude = 0.0; // what is exact is to be so
     return options;
 }
 

@@ -31,7 +31,7 @@ SIZES = {
 }
 EXTRA = {("a", "fem"): (1500000,), ("b", "fem"): (253000, 1500000)}  # as many nodes as the most particles; the lineage's
 SLOW = {("a", "sph"): (250000,), ("a", "fem"): (2600000, 3200000)}  # loaded four times more slowly until they have folded
-SLOW_LOADING = ["solver.loading_time=200", "solver.fastest_loading=10"]
+SLOW_LOADING = ["solver.loading_time=200", "solver.slowest_loading=1", "solver.fastest_loading=10"]
 SMOOTH = ["tissue.layer=smooth", "tissue.lambda=0", "tissue.thickness_mm=1.674", "tissue.bulk=uniform",
           "tissue.bulk_modulus=5", "tissue.mu_cortex=1", "tissue.mu_white=1.167"]
 CASES = {"a": ("binary layer, K per tissue", []), "b": ("smooth layer, K uniform", SMOOTH)}

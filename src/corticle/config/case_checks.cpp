@@ -145,6 +145,17 @@ void check_tissue(const Options& options, const Place& place)
     }
 }
 
+void check_imperfection(const ImperfectionOptions& imperfection, const Place& place)
+{
+    if (imperfection.shortest > imperfection.longest)
+    {
+        throw InputError(fmt::format("imperfection.shortest{} is out of range: got {}, expected at most "
+                                     "imperfection.longest{}, {}",
+                                     place("imperfection.shortest"), imperfection.shortest,
+                                     place("imperfection.longest"), imperfection.longest));
+    }
+}
+
 void check_solver(const Options& options, const Place& place)
 {
     if (options.dynamics.integrator == Integrator::rk4 && options.contact.enabled)
@@ -176,6 +187,7 @@ void check_case(const Options& options, const Place& place)
     check_maps(options.map, place);
     check_particle_count(options.geometry, place);
     check_tissue(options, place);
+    check_imperfection(options.imperfection, place);
     check_solver(options, place);
 }
 

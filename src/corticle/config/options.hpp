@@ -7,6 +7,7 @@
 #include "corticle/geometry/repair.hpp"
 #include "corticle/imaging/options.hpp"
 #include "corticle/thesis/options.hpp"
+#include "corticle/tissue/imperfection.hpp"
 #include "corticle/tissue/options.hpp"
 #include "corticle/tissue/size.hpp"
 #include "corticle/tlsph/options.hpp"
@@ -90,6 +91,7 @@ struct Options
     GeometryOptions geometry;
     MapOptions map;
     TissueOptions tissue;
+    ImperfectionOptions imperfection;
     Formulation formulation = Formulation::corrected; ///< key solver.formulation
     TlsphOptions tlsph;                               ///< keys under [solver]
     ThesisOptions thesis;                             ///< where formulation = "thesis"
@@ -100,5 +102,13 @@ struct Options
     OutputOptions output;
     std::map<std::string, std::string, std::less<>> inputs; ///< SHA-256 of the file that a key ("geometry.file") names
 };
+
+/// Amplitude of the imperfection; where none is given, that of the built-in shapes, which are perfect. Bodies from
+/// files are imperfect as they are, and the thesis knows no imperfection.
+inline double imperfection_amplitude(const Options& options)
+{
+    const bool is_perfect = options.geometry.shape != "file" && options.formulation == Formulation::corrected;
+    return options.imperfection.amplitude.value_or(is_perfect ? 0.05 : 0.0);
+}
 
 } // namespace corticle

@@ -236,6 +236,13 @@ inline Parameter of_thesis(Parameter parameter)
     return parameter;
 }
 
+/// An optional number that is `otherwise(options)` where it is not given.
+inline Parameter with_default(Parameter parameter, double (*otherwise)(const Options&))
+{
+    parameter.get = [otherwise](const Options& options) -> Value { return otherwise(options); };
+    return parameter;
+}
+
 inline Range above(double low, double high = std::numeric_limits<double>::infinity())
 {
     return {low, high, true};

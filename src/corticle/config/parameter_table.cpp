@@ -171,6 +171,24 @@ std::vector<Parameter> tissue_parameters()
     };
 }
 
+std::vector<Parameter> imperfection_parameters()
+{
+    return {
+        with_default(
+            parameter("imperfection.amplitude", "", between(0.0, 0.1),
+                      "Standard deviation of the growth's relative deviation, a smooth random field that folds "
+                      "grow from; not given: 0 for a body from a file, whose shape is imperfect enough, and for "
+                      "the thesis's formulation.",
+                      CORTICLE_MEMBER(imperfection.amplitude)),
+            imperfection_amplitude),
+        parameter("imperfection.seed", "", at_least(0.0), "Seed of that field.", CORTICLE_MEMBER(imperfection.seed)),
+        parameter("imperfection.shortest", "thicknesses", between(1.0, 1000.0),
+                  "Its shortest wavelength, in thicknesses of the cortex.", CORTICLE_MEMBER(imperfection.shortest)),
+        parameter("imperfection.longest", "thicknesses", between(1.0, 1000.0), "Its longest wavelength.",
+                  CORTICLE_MEMBER(imperfection.longest)),
+    };
+}
+
 std::vector<Parameter> solver_parameters()
 {
     return {
@@ -207,6 +225,11 @@ std::vector<Parameter> solver_parameters()
             "solver.fastest_loading", "", between(1.0, 10.0),
             "Loading at most so many times faster, once folds have appeared and while they move slowly; 1: never.",
             CORTICLE_MEMBER(dynamics.fastest_loading)),
+        parameter(
+            "solver.slowest_loading", "", between(0.01, 1.0),
+            "Loading so many times as fast while growth passes that at which a flat cortex folds, until folds have "
+            "appeared; 1: never slower.",
+            CORTICLE_MEMBER(dynamics.slowest_loading)),
         parameter("solver.damping", "", between(0.0, 100000.0), "Damping rate times the time given to t = 0..1.",
                   CORTICLE_MEMBER(dynamics.damping)),
         parameter("solver.max_halvings", "", between(0.0, 60.0),
@@ -288,8 +311,8 @@ std::vector<Parameter> other_parameters()
 std::vector<Parameter> all_parameters()
 {
     std::vector<Parameter> all;
-    for (auto part : {geometry_parameters, map_parameters, tissue_parameters, solver_parameters, thesis_parameters,
-                      other_parameters})
+    for (auto part : {geometry_parameters, map_parameters, tissue_parameters, imperfection_parameters,
+                      solver_parameters, thesis_parameters, other_parameters})
     {
         std::ranges::move(part(), std::back_inserter(all));
     }

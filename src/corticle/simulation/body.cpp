@@ -14,6 +14,7 @@
 #include "corticle/simulation/body_maps.hpp"
 #include "corticle/simulation/body_source.hpp"
 #include "corticle/tissue/ellipsoid.hpp"
+#include "corticle/tissue/imperfection.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -51,7 +52,7 @@ void set_depth(const SurfaceTree& tree, std::span<const Vec3> places, Tissue& ti
 void set_maps(const MapOptions& options, const TriangleMesh& map_surface, std::span<const Vec3> places, Tissue& tissue)
 {
     BodyMaps maps = read_body_maps(options, map_surface, places);
-    tissue.regional_rate = std::move(maps.growth);
+    tissue.mapped_rate = std::move(maps.growth);
     tissue.growth_onset = std::move(maps.onset);
     tissue.growth_rate = std::move(maps.rate);
     tissue.thickness = std::move(maps.thickness);
@@ -123,6 +124,20 @@ void apply_thesis_choices(const Options& options, Body& body)
     {
         body.tissue.normal = division_normals(X, triangle_normal_lines(body.surface),
                                               static_cast<std::int32_t>(geometry.normal_divisions), extents_centre(X));
+    }
+}
+
+/// Regional growth as it is mapped, times the imperfection. @param thickness  of the cortex [mm]
+void set_regional_rate(const Options& options, double thickness, std::span<const Vec3> places, Tissue& tissue)
+{
+    tissue.regional_rate = tissue.mapped_rate;
+    const double amplitude = imperfection_amplitude(options);
+    if (amplitude > 0.0)
+    {
+        const ImperfectionOptions& band = options.imperfection;
+        const RandomWaves waves(static_cast<std::uint64_t>(band.seed), band.shortest * thickness,
+                                band.longest * thickness);
+        apply_imperfection(waves, amplitude, places, tissue);
     }
 }
 
@@ -266,11 +281,15 @@ Body arrange_body(const Options& options)
 void connect_body(const Options& options, Body& body)
 {
     const std::vector<Vec3>& X = body.cloud.positions;
+    const double thickness = cortex_thickness(options, body);
+    set_regional_rate(options, thickness, X, body.tissue);
     start_tissue(options, X, X, body.cloud.volumes, body.tissue);
     if (body.fem)
     {
         const TetElements& elements = body.fem->elements;
-        start_tissue(options, X, centroids(X, elements.tets), elements.volume, body.fem->tissue);
+        const std::vector<Vec3> places = centroids(X, elements.tets);
+        set_regional_rate(options, thickness, places, body.fem->tissue);
+        start_tissue(options, X, places, elements.volume, body.fem->tissue);
     }
     else
     {
@@ -280,7 +299,6 @@ void connect_body(const Options& options, Body& body)
     {
         body.report.warnings.push_back(warning);
     }
-    const double thickness = cortex_thickness(options, body);
     if (thickness < 2.0 * body.cloud.spacing)
     {
         body.report.warnings.push_back(

@@ -61,7 +61,7 @@ void store_tissue(const Tissue& tissue, const std::string& prefix, Checkpoint& i
 {
     image.vectors[prefix + "normal"] = tissue.normal;
     image.scalars[prefix + "depth"] = tissue.depth;
-    image.scalars[prefix + "regional_rate"] = tissue.regional_rate;
+    image.scalars[prefix + "regional_rate"] = tissue.mapped_rate;
     image.scalars[prefix + "growth_onset"] = tissue.growth_onset;
     image.scalars[prefix + "growth_rate"] = tissue.growth_rate;
     image.scalars[prefix + "thickness"] = tissue.thickness;
@@ -72,7 +72,7 @@ Tissue stored_tissue(const Checkpoint& image, const std::string& prefix, const s
     Tissue tissue;
     tissue.normal = array_of(image.vectors, prefix + "normal", file);
     tissue.depth = array_of(image.scalars, prefix + "depth", file);
-    tissue.regional_rate = array_of(image.scalars, prefix + "regional_rate", file);
+    tissue.mapped_rate = array_of(image.scalars, prefix + "regional_rate", file);
     tissue.growth_onset = array_of(image.scalars, prefix + "growth_onset", file);
     tissue.growth_rate = array_of(image.scalars, prefix + "growth_rate", file);
     tissue.thickness = array_of(image.scalars, prefix + "thickness", file);

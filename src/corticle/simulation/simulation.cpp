@@ -21,10 +21,8 @@ namespace
 
 constexpr std::int64_t onset_interval = 10; ///< steps between looks at the sphere index
 constexpr double onset_rise = 0.01;
-constexpr double rounding = 1e-12;      ///< of t: a remainder this small is no step of its own
-constexpr double kinetic_share = 1e-3;  ///< kinetic over elastic energy that loading after the onset aims at
-constexpr double adjusting_time = 0.03; ///< growth time [t] in which its rate follows
-constexpr double step_recovery = 1.05;  ///< factor by which a halved step grows back, per step
+constexpr double rounding = 1e-12;     ///< of t: a remainder this small is no step of its own
+constexpr double step_recovery = 1.05; ///< factor by which a halved step grows back, per step
 // A step of this share of that at rest makes a run of minutes one of weeks; steps of sound folds stay above a
 // twentieth.
 constexpr double least_step_share = 1e-4;
@@ -91,7 +89,8 @@ Simulation::Simulation(Body& body, const Options& options)
       total_time_(loading_time(body, options)), damping_(options.dynamics.damping / total_time_),
       rest_dt_(options.dynamics.time_step > 0.0
                    ? options.dynamics.time_step * total_time_
-                   : critical_step(options.dynamics.cfl, body.cloud.spacing, wave_speed(options.tissue)))
+                   : critical_step(options.dynamics.cfl, body.cloud.spacing, wave_speed(options.tissue))),
+      loading_(options.dynamics, options.tissue, options.time.start)
 {
     State start;
     start.t = options.time.start;
@@ -236,7 +235,8 @@ void Simulation::step(double t_stop)
             state_.travel_taken.energy += travel_taken_.energy;
             state_.travel_taken.vertex_steps += travel_taken_.vertex_steps;
             state_.kinetic_energy = energies->kinetic;
-            adjust_loading(t - state_.t);
+            state_.loading_rate = loading_.next({state_.loading_rate, t, t - state_.t, state_.onset_t >= 0.0,
+                                                 state_.kinetic_energy, internal_.elastic_energy});
             state_.t = t;
             ++state_.steps;
             state_.step_scale = std::min(1.0, state_.step_scale * step_recovery);
@@ -249,20 +249,6 @@ void Simulation::step(double t_stop)
         }
         state_.step_scale *= 0.5;
         ++state_.rejected_steps;
-    }
-}
-
-/// Before folds have appeared the loading keeps its pace: an instability needs time to grow. Then it follows the rate
-/// at which the kinetic energy, which goes with its square, would be a given share of the elastic one.
-void Simulation::adjust_loading(double growth_step)
-{
-    if (state_.onset_t >= 0.0 && options_.dynamics.time_step <= 0.0)
-    {
-        const double aim = kinetic_share * internal_.elastic_energy;
-        const double kinetic = std::max(state_.kinetic_energy, std::numeric_limits<double>::min());
-        const double wanted =
-            std::clamp(state_.loading_rate * std::sqrt(aim / kinetic), 1.0, options_.dynamics.fastest_loading);
-        state_.loading_rate += std::min(1.0, growth_step / adjusting_time) * (wanted - state_.loading_rate);
     }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "corticle/contact/surface_contact.hpp"
+#include "corticle/dynamics/loading.hpp"
 #include "corticle/dynamics/runge_kutta.hpp"
 #include "corticle/simulation/body.hpp"
 #include "corticle/simulation/state.hpp"
@@ -57,7 +58,6 @@ class Simulation
     TravelTaken hold_apart(double dt);
     bool evaluate(Motion& motion, double t);
     std::optional<StepEnergies> propose(double t, double dt);
-    void adjust_loading(double growth_step);
     void note_onset();
     [[noreturn]] void give_up(const Motion& motion, double t, double dt) const;
     void require_step(double dt) const;
@@ -71,6 +71,7 @@ class Simulation
     double total_time_; ///< T, time of t = 0..1
     double damping_;    ///< gamma
     double rest_dt_;    ///< the step that the body allows at rest
+    Loading loading_;
     State state_;
     Motion proposed_;
     InternalResponse internal_;

@@ -30,7 +30,7 @@ struct State
     std::int64_t steps = 0;
     std::int64_t rejected_steps = 0;
     double step_scale = 1.0;     ///< 1, or what rejections have left of it; grows back
-    double loading_rate = 1.0;   ///< dt/dtime in units of 1/T: 1, or more once folds have appeared
+    double loading_rate = 1.0;   ///< dt/dtime in units of 1/T
     double kinetic_energy = 0.0; ///< [mu_w mm³]
     EnergyBooks books;
     TravelTaken travel_taken;        ///< in all steps so far

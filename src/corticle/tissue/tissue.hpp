@@ -63,7 +63,8 @@ struct Tissue
     std::vector<double> volume;        ///< reference volume [mm³]
     std::vector<double> depth;         ///< y, reference distance to the surface [mm]
     std::vector<Vec3> normal;          ///< n, unit, reference
-    std::vector<double> regional_rate; ///< m [-]
+    std::vector<double> mapped_rate;   ///< m as maps give it [-]
+    std::vector<double> regional_rate; ///< m, the imperfection included [-]
     std::vector<double> growth_onset;  ///< [t], or empty
     std::vector<double> growth_rate;   ///< [1/t], or empty
     std::vector<double> thickness;     ///< H_i of the closest surface point [mm], or empty
