@@ -11,6 +11,10 @@ namespace corticle
 int compare_command(const CompareArguments& arguments)
 {
     const ComparisonOutcome outcome = compare(arguments.request);
+    for (const std::string& warning : outcome.warnings)
+    {
+        std::fprintf(stderr, "corticle: warning: %s\n", warning.c_str());
+    }
     if (outcome.pictures.files.empty())
     {
         std::fprintf(stderr, "corticle: warning: no pictures: %s\n", outcome.pictures.reason.c_str());

@@ -151,6 +151,13 @@ void add_real_surface(CLI::App& verb, RealSurfaceOptions& options)
         ->capture_default_str()
         ->type_name("UNIT")
         ->check(CLI::IsMember({"mm", "cm", "m"}));
+    verb.add_option_function<std::string>(
+            "--coordinates",
+            [&options](const std::string& choice)
+            { options.coordinates = choice == "file" ? Coordinates::file : Coordinates::scanner; },
+            "scanner: brought to the scanner's where the file says how (default); file: as they are")
+        ->type_name("WHICH")
+        ->check(CLI::IsMember({"scanner", "file"}));
     verb.add_option("--labels", options.mask.labels, "Labels of a label volume that are the body (default: all but 0)")
         ->type_name("A,B,...")
         ->delimiter(',')

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cstdio>
+
 namespace corticle
 {
 
@@ -43,6 +45,15 @@ void require_new_file(const MeasureArguments& arguments)
     }
 }
 
+/// On stderr, so that what is measured can be read by programs.
+void print_lines(const char* kind, std::span<const std::string> lines)
+{
+    for (const std::string& line : lines)
+    {
+        std::fprintf(stderr, "corticle: %s: %s\n", kind, line.c_str());
+    }
+}
+
 std::vector<SurfaceRow> measured(const MeasureArguments& arguments)
 {
     if (arguments.surface == "delaunay")
@@ -55,10 +66,12 @@ std::vector<SurfaceRow> measured(const MeasureArguments& arguments)
         throw InputError(
             fmt::format("{} is given without --surface delaunay", arguments.out.empty() ? "--length-limit" : "--out"));
     }
-    const TriangleMesh surface = read_real_surface(arguments.file, arguments.options);
+    const RealSurfaceReading reading = read_real_surface(arguments.file, arguments.options);
+    print_lines("note", reading.notes);
+    print_lines("warning", reading.warnings);
     FoldOptions folds;
     folds.outer = arguments.outer == "closed" ? OuterSurface::closed : OuterSurface::hull;
-    return surface_rows(surface.vertices, surface.triangles, folds);
+    return surface_rows(reading, folds);
 }
 
 } // namespace

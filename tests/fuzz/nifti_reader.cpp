@@ -64,11 +64,11 @@ int main(int argc, char** argv)
 {
     using namespace corticle;
     limit_memory();
-    return fuzz_reader(argc > 1 ? std::atof(argv[1]) : 10.0, samples(), awkward_numbers(),
-                       [](const std::string& kind, const std::string& bytes)
-                       {
-                           const auto volume =
-                               bytes.size() % 2 == 0 ? std::optional<std::int64_t>(bytes.size() % 3) : std::nullopt;
-                           parse_nifti(kind == "to_pack" ? gzip(bytes) : bytes, "fuzz.nii", volume);
-                       });
+    return fuzz_reader(
+        argc > 1 ? std::atof(argv[1]) : 10.0, samples(), awkward_numbers(),
+        [](const std::string& kind, const std::string& bytes)
+        {
+            const auto volume = bytes.size() % 2 == 0 ? std::optional<std::int64_t>(bytes.size() % 3) : std::nullopt;
+            parse_nifti(kind == "to_pack" ? gzip(bytes) : bytes, "fuzz.nii", {volume, Coordinates::scanner});
+        });
 }

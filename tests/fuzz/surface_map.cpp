@@ -25,7 +25,8 @@ std::vector<Sample> samples()
             {"gii", gifti_scalars({"GZipBase64Binary"}, values)},
             {"thickness", freesurfer_scalars(values)},
             {"txt", "# m\n0.5\n-1.25\n3\n8\n"},
-            {"csv", "id, \"depth\"; x\n1,0.5;1\n2,-1.25;1\n3,3;1\n4,8;1\n"}};
+            {"csv", "id,\"depth\", x\n1,0.5,1\n2,-1.25,1\n3,3,1\n4,8,1\n"},
+            {"csv", "vertex;depth\n0;0,5\n1;-1,25\n2;3\n3;8\n"}};
 }
 
 } // namespace

@@ -20,6 +20,7 @@ namespace
 {
 
 using ::testing::Contains;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
@@ -294,6 +295,35 @@ TEST(Repair, GivesTheSameBitsWithAnyNumberOfThreads)
         EXPECT_EQ(one.mesh.vertices, three.mesh.vertices);
         EXPECT_EQ(one.mesh.triangles, three.mesh.triangles);
     }
+}
+
+TEST(Repair, AWrapDoesNotJoinBodiesThatLieApart)
+{
+    const TriangleMesh two = together(ellipsoid(), moved(ellipsoid(), {20.5, 0.0, 0.0}));
+    for (const TriangleMesh& surface : {two, with_holes(two, 0.003, 3)})
+    {
+        const std::string message = refusal(surface, Repair::wrap, {2.0, 0.1});
+        EXPECT_THAT(message, HasSubstr("2 bodies that lie apart"));
+        EXPECT_THAT(message, HasSubstr("about (10."));
+    }
+}
+
+TEST(Repair, SaysWhatAWrapSpans)
+{
+    // A pit of 6 mm depth and 2.4 mm width, which a ball of 2 mm does not enter.
+    TriangleMesh pitted = ellipsoid();
+    for (Vec3& p : pitted.vertices)
+    {
+        p.z -= p.z > 0.0 && std::hypot(p.x, p.y) < 1.2 ? 6.0 : 0.0;
+    }
+    const RepairReport report = repair_surface(pitted, "body.stl", Repair::wrap, {2.0, 0.1}).report;
+    EXPECT_EQ(report.bodies_before, 1);
+    EXPECT_EQ(report.genus_before, 0);
+    EXPECT_EQ(report.genus_after, 0);
+    EXPECT_GT(report.left_out_mm, 3.0);
+    EXPECT_THAT(report.lines, Contains(HasSubstr("into 1 body: genus 0 became 0")));
+    EXPECT_THAT(report.warnings, ElementsAre(HasSubstr("spans gaps narrower than 4 mm")));
+    EXPECT_THAT(repair_surface(ellipsoid(), "body.stl", Repair::wrap, {2.0, 0.1}).report.warnings, IsEmpty());
 }
 
 } // namespace corticle::test

@@ -292,4 +292,90 @@ TEST(SurfaceFromLabels, DoesNotDependOnThreads)
     EXPECT_EQ(one.surface.triangles, three.surface.triangles);
 }
 
+namespace
+{
+
+/// Two ellipsoids that do not touch, of labels 2 and 41, beside a place on the way between them.
+std::int32_t two_hemispheres(const Vec3& p)
+{
+    return ellipsoid(p + Vec3{8.0, 0.0, 0.0}, {5.5, 10.0, 8.0}) < 1.0   ? 2
+           : ellipsoid(p - Vec3{8.0, 0.0, 0.0}, {5.5, 10.0, 8.0}) < 1.0 ? 41
+                                                                        : 0;
+}
+
+constexpr double hemisphere_volume = 4.0 / 3.0 * std::numbers::pi * 5.5 * 10.0 * 8.0;
+
+LabelVolume image_about(const Vec3& place, const std::function<std::int32_t(const Vec3&)>& label)
+{
+    return label_image(Mat3::identity(), {1.2, 1.2, 1.2}, place, 17.0, label);
+}
+
+std::string refusal_of(const LabelVolume& image, const MaskOptions& options)
+{
+    return message_of<InputError>([&] { surface_from_labels(image, options); });
+}
+
+} // namespace
+
+TEST(SurfaceFromLabels, TakesOneOfTwoHemispheresThatDoNotTouch)
+{
+    const LabelVolume image = image_about(centre, two_hemispheres);
+    for (const auto* side : {"left", "right"})
+    {
+        MaskOptions options;
+        options.hemisphere = side;
+        const ImagedSurface result = surface_from_labels(image, options);
+        EXPECT_NEAR(result.report.surface_volume_mm3 / hemisphere_volume, 1.0, 0.02) << side;
+        const double x = enclosed_centroid(result.surface).x - centre.x;
+        EXPECT_NEAR(x, side == std::string("right") ? 8.0 : -8.0, 0.3);
+    }
+    const std::string both = refusal_of(image, {});
+    EXPECT_THAT(both, HasSubstr("the labels form 2 components"));
+    EXPECT_THAT(both, HasSubstr("hemisphere = \"left\" or \"right\" takes one"));
+}
+
+TEST(SurfaceFromLabels, AHemisphereIsNotTakenOfOneHemisphere)
+{
+    const auto right = [](const Vec3& p) { return two_hemispheres(p) == 41 ? 41 : 0; };
+    MaskOptions options;
+    for (const auto* side : {"left", "right"})
+    {
+        options.hemisphere = side;
+        EXPECT_THAT(refusal_of(image_about({}, right), options), HasSubstr("one hemisphere already"));
+    }
+    // Both of them, in an image whose origin lies elsewhere.
+    const auto warned = surface_from_labels(image_about({60.0, 0.0, 0.0}, two_hemispheres), options).report.warnings;
+    ASSERT_EQ(warned.size(), 1U);
+    EXPECT_THAT(warned[0], HasSubstr("not between the hemispheres"));
+}
+
+TEST(SurfaceFromLabels, RefusesAMaskThatFallsApart)
+{
+    const LabelVolume image = plain_image(in_ellipsoid);
+    LabelVolume board = image;
+    for (std::size_t k = 0; k < board.labels.size(); ++k)
+    {
+        const auto at = static_cast<std::int64_t>(k);
+        const std::int64_t x = at % board.size[0];
+        const std::int64_t y = at / board.size[0] % board.size[1];
+        const std::int64_t z = at / (board.size[0] * board.size[1]);
+        board.labels[k] = (x + y + z) % 2 == 0 ? board.labels[k] : 0;
+    }
+    EXPECT_THAT(refusal_of(board, {}), HasSubstr("components that share no face, the largest holds"));
+    EXPECT_THAT(refusal_of(board, {}), ::testing::Not(HasSubstr("hemisphere")));
+}
+
+TEST(SurfaceFromLabels, RefusesAMaskWithoutBackground)
+{
+    const auto negative = [](const Vec3& p) { return in_ellipsoid(p) != 0 ? 1 : -1; };
+    EXPECT_THAT(refusal_of(plain_image(negative), {}), HasSubstr("label -1 is below 0"));
+    const auto filled = [](const Vec3& p) { return in_ellipsoid(p) != 0 ? 1 : 4; };
+    EXPECT_THAT(refusal_of(plain_image(filled), {}), HasSubstr("100 % of the voxels on its border have a label"));
+    EXPECT_THAT(refusal_of(plain_image(filled), {}), HasSubstr("4 ("));
+    MaskOptions options;
+    options.labels = {1};
+    EXPECT_EQ(refusal_of(plain_image(negative), options), "");
+    EXPECT_EQ(refusal_of(plain_image(filled), options), "");
+}
+
 } // namespace corticle

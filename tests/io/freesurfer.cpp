@@ -97,4 +97,17 @@ TEST(Freesurfer, RefusesWithOneLine)
     EXPECT_THAT(scalars(good), HasSubstr("new curv format"));
 }
 
+TEST(Freesurfer, SaysWhatMovedThePointsAndCanLeaveThemAlone)
+{
+    const Vec3 p = tetrahedron().vertices[1];
+    const std::string bytes = freesurfer_surface(tetrahedron(), volume_geometry("1", conformed_axes(), "5 -6 7.5"));
+    std::vector<std::string> notes;
+    EXPECT_EQ(parse_surface(bytes, "pial", "lh.pial", {1.0, Coordinates::scanner, &notes}).vertices[1],
+              (p + Vec3{5, -6, 7.5}));
+    EXPECT_THAT(notes, ElementsAre(HasSubstr("moved by (5, -6, 7.5) mm by the volume geometry behind")));
+    notes.clear();
+    EXPECT_EQ(parse_surface(bytes, "pial", "lh.pial", {1.0, Coordinates::file, &notes}).vertices[1], p);
+    EXPECT_THAT(notes, ElementsAre(HasSubstr("taken as they are")));
+}
+
 } // namespace corticle

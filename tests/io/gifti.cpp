@@ -145,4 +145,31 @@ TEST(Gifti, RefusesWithOneLine)
     EXPECT_THAT(refusal(gifti_surface(wild, {})), HasSubstr("triangle 2 names no vertex"));
 }
 
+TEST(Gifti, SaysWhatMovedThePointsAndCanLeaveThemAlone)
+{
+    const std::string centre = gifti_metadata({{"VolGeomC_R", "5"}, {"VolGeomC_A", "-18"}, {"VolGeomC_S", "20"}});
+    const Vec3 p = tetrahedron().vertices[1];
+    std::vector<std::string> notes;
+    const auto read = [&](const std::string& about_points, Coordinates coordinates)
+    {
+        notes.clear();
+        return parse_surface(gifti_surface(tetrahedron(), {}, about_points), "gii", "body", {1.0, coordinates, &notes})
+            .vertices[1];
+    };
+    EXPECT_EQ(read(centre, Coordinates::scanner), (p + Vec3{5, -18, 20}));
+    EXPECT_THAT(notes, ElementsAre(HasSubstr("moved by (5, -18, 20) mm by the volume geometry")));
+    EXPECT_EQ(read(centre, Coordinates::file), p);
+    EXPECT_THAT(notes, ElementsAre(HasSubstr("taken as they are, since coordinates = file")));
+    EXPECT_EQ(read("", Coordinates::scanner), p);
+    EXPECT_TRUE(notes.empty());
+    // In a space that the file names, other than that of the volume geometry.
+    const std::string identity = "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1";
+    const std::string named = transform("NIFTI_XFORM_MNI_152", "NIFTI_XFORM_TALAIRACH", identity);
+    EXPECT_EQ(read(centre + named, Coordinates::scanner), p);
+    EXPECT_THAT(notes, ElementsAre(HasSubstr("points are in NIFTI_XFORM_MNI_152")));
+    const std::string turned = "0 -1 0 10 1 0 0 20 0 0 1 30 0 0 0 1";
+    read(transform("NIFTI_XFORM_UNKNOWN", "NIFTI_XFORM_SCANNER_ANAT", turned), Coordinates::scanner);
+    EXPECT_THAT(notes, ElementsAre(HasSubstr("mapped by the matrix (0 -1 0; 1 0 0; 0 0 1) and moved by (10, 20, 30)")));
+}
+
 } // namespace corticle

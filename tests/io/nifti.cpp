@@ -20,17 +20,22 @@ namespace corticle
 namespace
 {
 
+using ::testing::Contains;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using enum NiftiType;
 
 LabelVolume parse(const NiftiSample& sample, std::optional<std::int64_t> volume = {})
 {
-    return parse_nifti(sample.bytes(), "a.nii", volume);
+    return parse_nifti(sample.bytes(), "a.nii", {volume, Coordinates::scanner});
 }
 
 std::string refusal(const std::string& bytes, std::optional<std::int64_t> volume = {})
 {
-    const std::string message = message_of<InputError>([&] { parse_nifti(bytes, "a.nii", volume); });
+    const std::string message = message_of<InputError>(
+        [&] {
+            parse_nifti(bytes, "a.nii", {volume, Coordinates::scanner});
+        });
     EXPECT_EQ(message.find('\n'), std::string::npos);
     EXPECT_THAT(message, HasSubstr("a.nii: "));
     return message;
@@ -218,7 +223,7 @@ TEST(Nifti, WritesWhatItReads)
     {
         for (const std::int32_t largest : {6, 300, 70000, -5})
         {
-            LabelVolume image{{4, 3, 2}, oblique_frame(flipped), sample_labels()};
+            LabelVolume image{{4, 3, 2}, oblique_frame(flipped), sample_labels(), {}};
             image.labels[5] = largest;
             for (const auto* name : {"a.nii", "a.nii.gz"})
             {
@@ -236,7 +241,7 @@ TEST(Nifti, WritesWhatItReads)
     }
     EXPECT_EQ(bytes_of(folder / "a.nii.gz").substr(0, 2), "\x1f\x8b");
     EXPECT_EQ(folder.file_count(), 2U);
-    const LabelVolume image{{4, 3, 2}, {}, sample_labels()};
+    const LabelVolume image{{4, 3, 2}, {}, sample_labels(), {}};
     EXPECT_THAT(message_of<InputError>([&] { write_nifti(folder / "a.img", image); }), HasSubstr(".nii.gz"));
 }
 
@@ -264,6 +269,75 @@ TEST(Nifti, EllipsoidKeepsItsVolumeThroughAFile)
         }
     }
     EXPECT_LT(norm(0.5 * (low + high) - centre), 0.3); // a fraction of a voxel
+}
+
+TEST(Nifti, TakesFieldsOutsideTheStandardAsTheReferenceDoes)
+{
+    NiftiSample sample = plain_sample();
+    const NiftiLayout& at = sample.layout();
+    sample.code(at.qform_code, 1).real(at.pixdim, -0.5, 1).real(at.quaternion, 1.0004, 2);
+    const LabelVolume image = parse(sample);
+    // A half turn about z, of unit length; sizes are positive.
+    expect_near(image.frame, {Mat3::diagonal(-0.5, -1.0, 1.0), {}}, 1e-6);
+    EXPECT_THAT(image.notes, ElementsAre(HasSubstr("of the qform has length 1.00039995"),
+                                         HasSubstr("pixdim[1] of the header is -0.5")));
+    sample.real(at.quaternion, 0.0, 2).real(at.pixdim, -2.0);
+    EXPECT_THAT(refusal(sample), HasSubstr("pixdim[0] does not say which way"));
+    sample.real(at.pixdim, 3.0);
+    EXPECT_THAT(parse(sample).notes, Contains(HasSubstr("pixdim[0] of the header is 3: taken as 1")));
+    EXPECT_TRUE(parse(plain_sample().sform(oblique_frame(false))).notes.empty());
+    EXPECT_THAT(parse(plain_sample()).notes, ElementsAre(HasSubstr("neither sform nor qform")));
+}
+
+TEST(Nifti, AnSformOfZerosGivesWayToTheQform)
+{
+    NiftiSample sample = plain_sample();
+    const NiftiLayout& at = sample.layout();
+    sample.code(at.sform_code, 2);
+    EXPECT_THAT(refusal(sample), HasSubstr("sform (code 2) is a matrix of zeros; got no qform"));
+    sample.code(at.qform_code, 1);
+    expect_near(parse(sample).frame, {}, 1e-6);
+    EXPECT_THAT(parse(sample).notes, ElementsAre(HasSubstr("the sform (code 2) is a matrix of zeros: the qform")));
+    sample.sform({Mat3::diagonal(1, 0, 1), {}});
+    EXPECT_THAT(refusal(sample), HasSubstr("sform (code 1): absurd voxel size along axis 2; got 0 mm"));
+    sample.sform({Mat3::diagonal(-1, 1, 1), {}});
+    EXPECT_THAT(parse(sample).notes, ElementsAre(HasSubstr("disagree about left and right")));
+}
+
+TEST(Nifti, SaysWhichUnitItTookAndCanLeaveItAlone)
+{
+    NiftiSample sample = plain_sample();
+    sample.sform({Mat3::diagonal(0.002, 0.002, 0.002), {}}).units(1);
+    EXPECT_THAT(parse(sample).notes, ElementsAre(HasSubstr("xyzt_units of the header says metres")));
+    sample.sform({Mat3::identity(), {}});
+    EXPECT_THAT(refusal(sample), HasSubstr("got 1000 mm (xyzt_units says metres)"));
+    const LabelVolume image = parse_nifti(sample.bytes(), "a.nii", {{}, Coordinates::file});
+    expect_near(image.frame, {}, 1e-12);
+    EXPECT_THAT(image.notes, ElementsAre(HasSubstr("taken as millimetres, since coordinates = file")));
+}
+
+TEST(Nifti, ToleratesTheRoundOffOfLargeLabels)
+{
+    std::vector<double> values(24, 14175.0);
+    values[3] = 14175.002;
+    NiftiSample sample = plain_sample();
+    EXPECT_EQ(parse(sample.data<float>(float32, values)).labels[3], 14175);
+    values[3] = 14175.02;
+    EXPECT_THAT(refusal(sample.data<double>(float64, values)), HasSubstr("got 14175.02 at voxel (3, 0, 0)"));
+    values.assign(24, 1.002);
+    EXPECT_THAT(refusal(sample.data<float>(float32, values)), HasSubstr("not whole numbers"));
+}
+
+TEST(Nifti, IsKnownByItsNameInEitherCase)
+{
+    for (const char* name : {"a.nii", "a.NII", "a.nii.gz", "B.NII.GZ", "a.Img", "a.HDR"})
+    {
+        EXPECT_TRUE(is_nifti(name)) << name;
+    }
+    for (const char* name : {"a.gz", "nii", "a.nii.txt", "a.gii.gz"})
+    {
+        EXPECT_FALSE(is_nifti(name)) << name;
+    }
 }
 
 } // namespace corticle

@@ -50,13 +50,22 @@ TEST(NumberTable, RefusesWhatIsNoTable)
 {
     using testing::HasSubstr;
     EXPECT_THAT(message(""), HasSubstr("a.csv: not a table of numbers"));
-    EXPECT_THAT(message("a,b\n1\n"), HasSubstr("line 2: wrong number of fields; got 1; expected 2"));
+    EXPECT_THAT(message("a,b\n1\n"), HasSubstr("line 2: wrong number of cells; got 1; expected 2"));
     EXPECT_THAT(message("a,b\n1,2\n1,2,3\n"), HasSubstr("line 3"));
     EXPECT_THAT(message("a,b\n1,two\n"), HasSubstr("line 2: bad number in column b; got two"));
     EXPECT_THAT(message("a,a\n1,2\n"), HasSubstr("bad header"));
     EXPECT_THAT(message("a,\n1,2\n"), HasSubstr("bad header"));
     EXPECT_THAT(message("0,1\n2,3\n"), HasSubstr("bad header"));
     EXPECT_THAT(message_of<InputError>([] { read_number_table("no_such.csv"); }), HasSubstr("no_such.csv"));
+}
+
+TEST(NumberTable, JudgesTheColumnsThatAreUsed)
+{
+    const std::array<std::string_view, 2> used{"x", "y"};
+    const NumberTable table = parse_number_table("name;x;y\nvertex;0,5;1\nfoot;2;-1,25\n", "a.csv", used);
+    EXPECT_EQ(table.find("x")->values, (std::vector<double>{0.5, 2.0}));
+    EXPECT_EQ(table.find("y")->values, (std::vector<double>{1.0, -1.25}));
+    EXPECT_THAT(message("name,x\nvertex,1\n"), testing::HasSubstr("bad number in column name; got vertex"));
 }
 
 TEST(NumberTable, SurvivesDamage)
@@ -106,6 +115,9 @@ TEST(Markdown, CellsAndNumbers)
     EXPECT_EQ(table_percent(-0.5), "-0.5 %");
     EXPECT_EQ(table_percent(4e-14), "0 %");
     EXPECT_EQ(table_percent(std::nan("")), "-");
+    EXPECT_EQ(table_difference(0.0123456), "+0.0123");
+    EXPECT_EQ(table_difference(0.0), "0");
+    EXPECT_EQ(table_difference(std::nan("")), "-");
 }
 
 } // namespace

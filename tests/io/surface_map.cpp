@@ -80,9 +80,36 @@ TEST(SurfaceMap, ReadsTextAndTables)
     EXPECT_EQ(parsed("csv", "1 0.5\n2 -1.25\n3 3\n4 8\n", "1"), values);
     EXPECT_THAT(refusal("csv", "id,m\n1,2\n"), HasSubstr("2 arrays; expected one of id, m"));
     EXPECT_THAT(refusal("csv", "id,m\n1,2\n", "H"), HasSubstr("no such array; got H; expected one of id, m"));
-    EXPECT_THAT(refusal("csv", "id,m\n1,2\n2\n", "m"), HasSubstr("line 3 lacks a number in column m; got nothing"));
+    EXPECT_THAT(refusal("csv", "id,m\n1,2\n2\n", "m"), HasSubstr("line 3: wrong number of cells; got 1; expected 2"));
     EXPECT_THAT(refusal("txt", "1\n2\nthree\n4\n"), HasSubstr("line 3"));
     EXPECT_THAT(refusal("txt", "\n#\n"), HasSubstr("no map in the file"));
+}
+
+TEST(SurfaceMap, ReadsDecimalCommas)
+{
+    EXPECT_EQ(parsed("csv", "vertex;m\n0;0,5\n1;-1,25\n2;3\n3;8,0\n", "m"), values);
+    EXPECT_EQ(parsed("csv", "vertex\tm\n1\t0,5\n2\t-1,25\n3\t3\n4\t8\n", "m"), values);
+    EXPECT_EQ(parsed("csv", "\xef\xbb\xbfm;\"n;o\"\n\"0,5\";1\n-1,25;1\n3;1\n8;1\n", "m"), values);
+    EXPECT_THAT(refusal("csv", "a;m\n1;0,5\n2;1.5\n3;3\n4;8\n", "m"),
+                HasSubstr("both decimal commas and decimal points; got a comma in line 2, a point in line 3"));
+    EXPECT_THAT(refusal("csv", "a;m\n1;1.000,5\n2;1\n3;3\n4;8\n", "m"), HasSubstr("got 1.000,5"));
+}
+
+TEST(SurfaceMap, RefusesRowsOfAnotherLength)
+{
+    EXPECT_THAT(refusal("csv", "m\n0,5\n1,25\n3\n8\n"), HasSubstr("line 2: wrong number of cells; got 2; expected 1"));
+    EXPECT_THAT(refusal("csv", "a,m\n1,0,5\n", "m"), HasSubstr("line 2: wrong number of cells; got 3; expected 2"));
+    EXPECT_THAT(refusal("csv", "a,m\n1,2\n1,2,\n", "m"), HasSubstr("line 3: wrong number of cells; got 3; expected 2"));
+    EXPECT_THAT(refusal("txt", "1 2\n3\n", "0"), HasSubstr("line 2: wrong number of cells; got 1; expected 2"));
+    EXPECT_THAT(refusal("csv", "a;m\n1;2\n1,2\n", "m"), HasSubstr("line 3: wrong number of cells; got 1; expected 2"));
+    EXPECT_THAT(refusal("csv", "m\n\"1\n", "m"), HasSubstr("line 2: a quote that does not close"));
+}
+
+TEST(SurfaceMap, RefusesVerticesInAnotherOrder)
+{
+    EXPECT_EQ(parsed("csv", "vertex,m\n1,0.5\n2,-1.25\n3,3\n4,8\n", "m"), values);
+    EXPECT_THAT(refusal("csv", "vertex,m\n0,0.5\n2,-1.25\n1,3\n3,8\n", "m"),
+                HasSubstr("line 3: values are not in the order of the vertices; got vertex 2; expected vertex 1"));
 }
 
 TEST(SurfaceMap, RefusesWrongLengthsAndWhatIsNoNumber)

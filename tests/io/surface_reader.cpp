@@ -111,7 +111,7 @@ TEST(SurfaceReader, ReadsFilesWithAnyCaseOfExtensionAndScales)
 {
     const TemporaryFolder folder;
     put_bytes(folder / "body.STL", stl_binary(tetrahedron()));
-    const TriangleMesh mesh = read_surface(folder / "body.STL", 10.0);
+    const TriangleMesh mesh = read_surface(folder / "body.STL", {10.0});
     EXPECT_EQ(std::ranges::count(mesh.vertices, Vec3{0, 22.5, 0}), 1);
     EXPECT_EQ(millimetres_per("cm"), 10.0);
     EXPECT_THROW(millimetres_per("inch"), InputError);
@@ -121,11 +121,11 @@ TEST(SurfaceReader, KeepsTheVerticesOfTheFileForMaps)
 {
     const TemporaryFolder folder;
     put_bytes(folder / "a.obj", "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nf 2 3 4\nf 5 4 3\n");
-    const TriangleMesh mesh = read_surface_unmerged(folder / "a.obj", 2.0);
+    const TriangleMesh mesh = read_surface_unmerged(folder / "a.obj", {2.0});
     EXPECT_EQ(mesh.vertices.size(), 5u);
     EXPECT_EQ(mesh.vertices[0], (Vec3{18, 18, 18}));
     EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{1, 2, 3}, {4, 3, 2}}));
-    EXPECT_EQ(read_surface(folder / "a.obj", 2.0).vertices.size(), 3u);
+    EXPECT_EQ(read_surface(folder / "a.obj", {2.0}).vertices.size(), 3u);
 }
 
 TEST(SurfaceReader, RefusesWithOneLine)

@@ -53,6 +53,17 @@ TEST(PercentDifference, IsOverTheFirst)
     EXPECT_TRUE(std::isnan(percent_difference(1.0, std::nan(""))));
 }
 
+TEST(TellingPercent, IsNotTakenOfSharesAndOfWhatIsNearZero)
+{
+    EXPECT_DOUBLE_EQ(telling_percent("area_mm2", 2.0, 3.0), 50.0);
+    EXPECT_TRUE(std::isnan(telling_percent("asymmetry_volume", 1e-5, 0.002)));
+    EXPECT_TRUE(std::isnan(telling_percent("overlap_area_share", 0.1, 0.2)));
+    EXPECT_TRUE(std::isnan(telling_percent("energy_contact", 1e-3, 1.0)));
+    EXPECT_TRUE(std::isnan(telling_percent("energy_contact", 1e-12, 2e-12, 1.0)));
+    EXPECT_EQ(telling_percent("energy_contact", 0.0, 0.0, 1.0), 0.0);
+    EXPECT_DOUBLE_EQ(telling_percent("sulcal_pits", 2.0, 30.0), 1400.0);
+}
+
 TEST(Interpolate, IsLinearAndEndsWithTheCurve)
 {
     const std::vector<double> x{0.0, 1.0, 3.0};

@@ -7,6 +7,7 @@
 #include "io/temporary_folder.hpp"
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace corticle
@@ -14,6 +15,10 @@ namespace corticle
 
 namespace
 {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 /// A ball of radius 10 mm and a few points in it.
 class BodyMapsTest : public ::testing::Test
@@ -41,7 +46,7 @@ class BodyMapsTest : public ::testing::Test
     template <class Label>
     std::string volume_map(std::string_view name, Label&& label) const
     {
-        LabelVolume image{{24, 24, 24}, {Mat3::identity(), {-11.5, -11.5, -11.5}}, {}};
+        LabelVolume image{{24, 24, 24}, {Mat3::identity(), {-11.5, -11.5, -11.5}}, {}, {}};
         for (int z = 0; z < 24; ++z)
         {
             for (int y = 0; y < 24; ++y)
@@ -160,6 +165,35 @@ TEST_F(BodyMapsTest, MapsByVerticesNeedASurface)
     EXPECT_NE(
         message_of<InputError>([&] { read_body_maps(options, {}, points_); }).find("not made from a surface file"),
         std::string::npos);
+}
+
+TEST_F(BodyMapsTest, JudgesAndReportsWhatFallsBetweenThePoints)
+{
+    MapOptions options;
+    // A number out of range at one vertex that no point is near.
+    options.growth_file = vertex_map("spike.csv", [](const Vec3& X) { return X.z > 9.9 ? -1.0 : 1.0; });
+    EXPECT_NE(refusal(options).find("holds -1 at vertex"), std::string::npos) << refusal(options);
+    // A peak and a region there.
+    options.growth_file = vertex_map("peak.csv", [](const Vec3& X) { return X.z > 9.0 ? 3.0 : 1.0; });
+    options.region_file = vertex_map("regions.csv", [](const Vec3& X) { return X.z > 9.0 ? 7 : 1; });
+    options.region_table = write("table.csv", "label,name,growth\n1,frontal,1\n7,top,2\n9,none,2\n");
+    const BodyMaps maps = read(options);
+    EXPECT_THAT(maps.notes, Contains(HasSubstr("map.growth_file: 1 to 3 at")));
+    EXPECT_THAT(maps.notes, Contains(HasSubstr("columns not used: name")));
+    EXPECT_THAT(maps.notes, Contains(HasSubstr("labels at no point of the body: 7, 9")));
+    EXPECT_THAT(maps.warnings, ElementsAre(HasSubstr("extremes fall between the points"),
+                                           HasSubstr("1 of its 2 labels fall between the points")));
+}
+
+TEST_F(BodyMapsTest, VolumesMustHoldTheBody)
+{
+    MapOptions options;
+    options.still_file = volume_map("still.nii", [](const Vec3& X) { return X.z > 11.0 ? 1 : 0; });
+    EXPECT_THAT(read(options).warnings, ElementsAre(HasSubstr("no point of the body lies in this mask")));
+    points_.push_back({40.0, 0.0, 0.0});
+    EXPECT_THAT(read(options).warnings, Contains(HasSubstr("1 of 5 points of the body lie outside this volume")));
+    points_ = {{40.0, 0.0, 0.0}};
+    EXPECT_NE(refusal(options).find("no point of the body lies in this volume"), std::string::npos);
 }
 
 } // namespace corticle

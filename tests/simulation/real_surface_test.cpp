@@ -43,7 +43,9 @@ TEST(RealSurface, LabelsAreMeasuredAsTheBodyTheyShow)
     write_nifti(folder / "ball.nii.gz", image);
     RealSurfaceOptions options;
     options.mask.labels = {2};
-    const TriangleMesh surface = read_real_surface(folder / "ball.nii.gz", options);
+    const RealSurfaceReading reading = read_real_surface(folder / "ball.nii.gz", options);
+    EXPECT_DOUBLE_EQ(reading.voxel_mm, static_cast<double>(0.8F)); // single precision in the file
+    const TriangleMesh& surface = reading.surface;
     const SurfaceMeasures m = measure_surface(surface.vertices, surface.triangles);
     EXPECT_NEAR(m.volume_mm3 / labelled, 1.0, 0.002);
     EXPECT_NEAR(m.area_mm2 / (4.0 * std::numbers::pi * radius * radius), 1.0, 0.03); // steps of voxels remain
@@ -51,6 +53,34 @@ TEST(RealSurface, LabelsAreMeasuredAsTheBodyTheyShow)
     {
         EXPECT_NEAR(extent, 2.0 * radius, 0.8); // a voxel
     }
+}
+
+double value_of(const std::vector<SurfaceRow>& rows, std::string_view key)
+{
+    return std::ranges::find(rows, key, &SurfaceRow::key)->value;
+}
+
+TEST(RealSurface, StairsOfVoxelsAreNoFolds)
+{
+    const TemporaryFolder folder;
+    LabelVolume image = ball(11.0);
+    write_nifti(folder / "ball.nii.gz", image);
+    const RealSurfaceReading reading = read_real_surface(folder / "ball.nii.gz", {});
+    EXPECT_EQ(value_of(surface_rows(reading), "fold_wavelength_mm"), 0.0);
+}
+
+TEST(RealSurface, WarnsAsABodyOfTheSameLabelsDoes)
+{
+    const TemporaryFolder folder;
+    LabelVolume image = ball(9.0);
+    image.labels[0] = 1; // a speck at the corner
+    write_nifti(folder / "ball.nii.gz", image);
+    const RealSurfaceReading reading = read_real_surface(folder / "ball.nii.gz", {});
+    EXPECT_EQ(reading.warnings.size(), 2U); // border, components
+    std::ranges::replace(image.labels, 0, -1);
+    write_nifti(folder / "negative.nii.gz", image);
+    const std::string message = message_of<InputError>([&] { read_real_surface(folder / "negative.nii.gz", {}); });
+    EXPECT_NE(message.find("negative.nii.gz: label image: label -1 is below 0"), std::string::npos) << message;
 }
 
 TEST(RealSurface, RefusesInOneLine)
@@ -65,7 +95,7 @@ TEST(RealSurface, RefusesInOneLine)
     const std::string message = message_of<InputError>([&] { read_real_surface(folder / "ball.off", options); });
     EXPECT_NE(message.find("--labels"), std::string::npos) << message;
     options.mask.labels.clear();
-    EXPECT_EQ(read_real_surface(folder / "ball.off", options).triangles.size(), 4U);
+    EXPECT_EQ(read_real_surface(folder / "ball.off", options).surface.triangles.size(), 4U);
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 #include "corticle/dynamics/options.hpp"
 #include "corticle/geometry/repair.hpp"
 #include "corticle/imaging/options.hpp"
+#include "corticle/io/coordinates.hpp"
 #include "corticle/thesis/options.hpp"
 #include "corticle/tissue/imperfection.hpp"
 #include "corticle/tissue/options.hpp"
@@ -31,6 +32,7 @@ struct GeometryOptions
     std::array<double, 3> semi_axes_mm{15.0, 12.0, 10.0}; ///< ellipsoid
     std::string file;                                     ///< closed triangulated surface, label volume or tet mesh
     std::string unit = "mm";                              ///< of a surface or tet mesh: "mm" | "cm" | "m"
+    Coordinates coordinates = Coordinates::scanner;       ///< of a surface or label volume with metadata
     MaskOptions mask;                      ///< of a label volume: keys labels, image_volume, closing_mm, ...
     Repair repair = Repair::none;          ///< of a surface that is not closed and embedded
     RepairOptions wrap;                    ///< keys wrap_alpha_mm, wrap_offset_mm

@@ -92,6 +92,11 @@ inline std::vector<std::string> names<Integrator>()
     return {"symplectic_euler", "rk4"};
 }
 template <>
+inline std::vector<std::string> names<Coordinates>()
+{
+    return {"scanner", "file"};
+}
+template <>
 inline std::vector<std::string> names<Repair>()
 {
     return {"auto", "wrap", "none"};

@@ -29,6 +29,10 @@ std::vector<Parameter> geometry_parameters()
              CORTICLE_MEMBER(geometry.file)),
         choice("geometry.unit", {"mm", "cm", "m"}, "Unit of length of a surface or tet mesh.",
                CORTICLE_MEMBER(geometry.unit)),
+        parameter("geometry.coordinates", "", {},
+                  "Whether coordinates are brought to the scanner's where the file describes how (matrices of GIFTI, "
+                  "volume geometry of FreeSurfer, xyzt_units of NIfTI), or taken as they are in the file.",
+                  CORTICLE_MEMBER(geometry.coordinates)),
         parameter("geometry.repair", "", {},
                   "What is done with a surface that is open, self-intersecting, inside-out or in several shells: mend "
                   "it, wrap it, or refuse it.",
@@ -40,7 +44,7 @@ std::vector<Parameter> geometry_parameters()
                   "Distance at which it does; 0: a twentieth of that radius.",
                   CORTICLE_MEMBER(geometry.wrap.offset_mm)),
         parameter("geometry.labels", "", between(-2147483648.0, 2147483647.0),
-                  "Labels of a label volume that are the body; empty: all but 0.",
+                  "Labels of a label volume that are the body; empty: all but 0, which must be the background.",
                   CORTICLE_MEMBER(geometry.mask.labels)),
         parameter("geometry.image_volume", "", at_least(0.0), "Which volume of a 4D image, counted from 0.",
                   CORTICLE_MEMBER(geometry.mask.volume)),

@@ -3,9 +3,11 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/geometry/alpha_wrap.hpp"
+#include "corticle/geometry/bodies.hpp"
 #include "corticle/geometry/mend.hpp"
 #include "corticle/geometry/self_intersections.hpp"
 #include "corticle/geometry/shells.hpp"
+#include "corticle/geometry/surface_tree.hpp"
 #include "corticle/geometry/validate.hpp"
 
 #include <fmt/format.h>
@@ -165,6 +167,58 @@ double chosen_alpha(const RepairReport& report, double diagonal)
     return std::clamp(margin * widest, alpha_per_diagonal * diagonal, largest_alpha * diagonal);
 }
 
+/// A wrap would join bodies that lie apart, or drop some of them.
+SurfaceBodies require_one_body(const TriangleMesh& clean, const std::string& file)
+{
+    SurfaceBodies found = find_bodies(clean);
+    if (found.separate > 1)
+    {
+        throw InputError(fmt::format("{}: several shells: {} bodies that lie apart, {:.4g} mm at the closest, about "
+                                     "({:.4g}, {:.4g}, {:.4g}) mm; a wrap would join or drop them; expected one body",
+                                     file, found.separate, found.gap->width_mm, found.gap->place.x, found.gap->place.y,
+                                     found.gap->place.z));
+    }
+    return found;
+}
+
+/// What the wrap made of the body: handles, and parts that it spans.
+void describe_wrap(const SurfaceBodies& before, const TriangleMesh& wrap, double alpha, RepairReport& report)
+{
+    report.bodies_before = before.separate;
+    report.genus_after = genus_of(wrap);
+    if (before.bodies.empty())
+    {
+        report.lines.emplace_back("wrapped what encloses no body by itself into 1 body");
+        return;
+    }
+    const TriangleMesh& body = before.bodies.front();
+    report.genus_before = genus_of(body);
+    const SurfaceTree tree(wrap.vertices, wrap.triangles);
+    Vec3 place;
+    for (const Vec3& vertex : body.vertices)
+    {
+        const double distance = std::sqrt(tree.closest(vertex).squared_distance);
+        place = distance > report.left_out_mm ? vertex : place;
+        report.left_out_mm = std::max(report.left_out_mm, distance);
+    }
+    report.lines.push_back(fmt::format("wrapped {} bodies, {} that lie apart, into 1 body: genus {} became {}, points "
+                                       "lie up to {:.4g} mm from the wrap, at ({:.4g}, {:.4g}, {:.4g}) mm",
+                                       before.bodies.size(), before.separate, report.genus_before, report.genus_after,
+                                       report.left_out_mm, place.x, place.y, place.z));
+    if (report.genus_after > report.genus_before)
+    {
+        report.warnings.push_back(fmt::format("the wrap has genus {}, the surface {}: it bridges gaps narrower than "
+                                              "{:.4g} mm",
+                                              report.genus_after, report.genus_before, 2.0 * alpha));
+    }
+    if (report.left_out_mm > alpha)
+    {
+        report.warnings.push_back(fmt::format("the wrap leaves out parts of the surface up to {:.4g} mm away, at "
+                                              "({:.4g}, {:.4g}, {:.4g}) mm: it spans gaps narrower than {:.4g} mm",
+                                              report.left_out_mm, place.x, place.y, place.z, 2.0 * alpha));
+    }
+}
+
 TriangleMesh wrapped(const TriangleMesh& clean, const std::string& file, const RepairOptions& options,
                      RepairReport& report)
 {
@@ -172,6 +226,7 @@ TriangleMesh wrapped(const TriangleMesh& clean, const std::string& file, const R
     const double alpha = options.alpha_mm > 0.0 ? options.alpha_mm : chosen_alpha(report, diagonal);
     const double offset =
         options.offset_mm > 0.0 ? options.offset_mm : std::min(offset_per_alpha * alpha, largest_offset * diagonal);
+    const SurfaceBodies before = require_one_body(clean, file);
     report.wrapped = true;
     report.lines.push_back(fmt::format("wrapped with alpha {:.4g} mm and offset {:.4g} mm", alpha, offset));
     TriangleMesh mesh = fitted_alpha_wrap(without_flat_triangles(clean), alpha, offset);
@@ -184,6 +239,7 @@ TriangleMesh wrapped(const TriangleMesh& clean, const std::string& file, const R
                                      "expected alpha_mm above {:.4g}",
                                      file, volume, area, alpha));
     }
+    describe_wrap(before, mesh, alpha, report);
     return mesh;
 }
 

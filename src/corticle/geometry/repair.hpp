@@ -31,11 +31,16 @@ struct RepairReport
     std::int64_t crossing_pairs = 0;       ///< pairs of triangles that cross, once holes are filled
     std::vector<double> shell_volumes_mm3; ///< of the closed shells found, largest first
     bool wrapped = false;
+    std::int64_t bodies_before = 0; ///< found before a wrap, which makes one of them (find_bodies)
+    std::int64_t genus_before = 0;  ///< of that body
+    std::int64_t genus_after = 0;   ///< of the wrap
+    double left_out_mm = 0.0;       ///< largest distance of that body from the wrap
     double area_before_mm2 = 0.0;
     double area_after_mm2 = 0.0;
     double volume_before_mm3 = 0.0; ///< enclosed; means little for an open surface
     double volume_after_mm3 = 0.0;
-    std::vector<std::string> lines; ///< what was found and done, in words, one line each; empty for a sound surface
+    std::vector<std::string> warnings; ///< one line each
+    std::vector<std::string> lines;    ///< what was found and done, in words, one line each; empty for a sound surface
 };
 
 struct RepairedSurface
@@ -49,7 +54,7 @@ struct RepairedSurface
 /// pieces (below 1 % of the volume) and inner shells, fills holes, and replaces what crosses itself. A sound surface
 /// stays as it is. What is still not valid is wrapped.
 /// @throws InputError, one line naming `file`: for `none`, any fault; otherwise numbers that are not finite, several
-/// shells of comparable volume, or a wrap that came out with a fault itself.
+/// bodies of comparable volume, or a wrap that came out with a fault itself.
 RepairedSurface repair_surface(const TriangleMesh& surface, const std::string& file, Repair choice,
                                const RepairOptions& options = {});
 

@@ -17,7 +17,13 @@ namespace
 
 constexpr double small_share = 0.01;
 
-/// The shells as surfaces of their own; a vertex belongs to one shell at most.
+double volume_of(const TriangleMesh& shell)
+{
+    return enclosed_volume(shell.vertices, shell.triangles);
+}
+
+} // namespace
+
 std::vector<TriangleMesh> separate_shells(const TriangleMesh& surface)
 {
     const std::vector<std::int32_t> shell = shells_of(surface);
@@ -41,13 +47,6 @@ std::vector<TriangleMesh> separate_shells(const TriangleMesh& surface)
     }
     return shells;
 }
-
-double volume_of(const TriangleMesh& shell)
-{
-    return enclosed_volume(shell.vertices, shell.triangles);
-}
-
-} // namespace
 
 TriangleMesh drop_open_crumbs(const TriangleMesh& surface, std::vector<std::string>& lines)
 {

@@ -17,6 +17,9 @@ class SeveralShells : public InputError
     using InputError::InputError;
 };
 
+/// The pieces that hang together, as surfaces of their own; a vertex belongs to one piece at most.
+std::vector<TriangleMesh> separate_shells(const TriangleMesh& surface);
+
 /// Without open pieces of less than 1 % of the area; a line says so.
 TriangleMesh drop_open_crumbs(const TriangleMesh& surface, std::vector<std::string>& lines);
 

@@ -3,8 +3,12 @@
 
 #include "corticle/base/mat3.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
+#include <string>
 #include <vector>
 
 namespace corticle
@@ -25,7 +29,18 @@ struct LabelVolume
     std::array<std::int64_t, 3> size{}; ///< voxels along each axis
     VoxelFrame frame;
     std::vector<std::int32_t> labels; ///< x varies fastest
+    std::vector<std::string> notes;   ///< what of the file's header was not taken as it stands, one line each
 };
+
+/// Is this number a whole one but for what arithmetic in single precision leaves: a unit in the last place or two of
+/// `magnitude`, the largest number that it was computed from?
+inline bool is_whole_label(double value, double magnitude)
+{
+    constexpr double least = 1e-3;
+    constexpr double most = 0.25; // beyond about 500,000 single precision does not tell whole numbers from others
+    const double round_off = 4.0 * static_cast<double>(std::numeric_limits<float>::epsilon()) * std::abs(magnitude);
+    return std::abs(value - std::nearbyint(value)) <= std::clamp(round_off, least, most);
+}
 
 /// Lengths of the edges of a voxel [mm].
 inline Vec3 voxel_edges(const VoxelFrame& frame)

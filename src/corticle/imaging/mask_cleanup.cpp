@@ -10,6 +10,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace corticle
 {
@@ -59,6 +60,11 @@ class Choice
     std::vector<std::int64_t> labels_;
 };
 
+bool is_end(std::int64_t at, std::int64_t size)
+{
+    return at == 0 || at == size - 1;
+}
+
 void require_labels(const LabelVolume& image, std::span<const std::int64_t> labels)
 {
     std::set<std::int64_t> missing(labels.begin(), labels.end());
@@ -74,6 +80,37 @@ void require_labels(const LabelVolume& image, std::span<const std::int64_t> labe
     {
         throw InputError(
             fmt::format("label image: no voxel has label {}; there are {}", *missing.begin(), present_labels(image)));
+    }
+}
+
+/// Where every label but 0 is the body, 0 must be the background: not another number, below 0 or along the border.
+void require_background(const LabelVolume& image)
+{
+    const auto negative = std::find_if(image.labels.begin(), image.labels.end(), [](std::int32_t l) { return l < 0; });
+    if (negative != image.labels.end())
+    {
+        throw InputError(fmt::format("label image: label {} is below 0; expected background 0, or a choice of labels; "
+                                     "there are {}",
+                                     *negative, present_labels(image)));
+    }
+    constexpr double largest_share = 0.5;
+    const auto& size = image.size;
+    std::int64_t border = 0;
+    std::int64_t labelled = 0;
+    for (std::size_t k = 0; k < image.labels.size(); ++k)
+    {
+        const auto at = static_cast<std::int64_t>(k);
+        const bool is_border = is_end(at % size[0], size[0]) || is_end(at / size[0] % size[1], size[1]) ||
+                               is_end(at / (size[0] * size[1]), size[2]);
+        border += is_border ? 1 : 0;
+        labelled += is_border && image.labels[k] != 0 ? 1 : 0;
+    }
+    const double share = static_cast<double>(labelled) / static_cast<double>(border);
+    if (share > largest_share)
+    {
+        throw InputError(fmt::format("label image: {:.3g} % of the voxels on its border have a label other than 0, so "
+                                     "the mask has no background; expected a choice of labels; there are {}",
+                                     100.0 * share, present_labels(image)));
     }
 }
 
@@ -146,8 +183,17 @@ GridMask select_labels(const LabelVolume& image, std::span<const std::int64_t> l
     {
         throw InputError(fmt::format("label image: every voxel is background; there are {}", present_labels(image)));
     }
+    if (labels.empty())
+    {
+        require_background(image);
+    }
     GridMask result;
     VoxelGrid& grid = result.grid;
+    result.middle_x =
+        image.frame
+            .position({0.5 * static_cast<double>(image.size[0] - 1), 0.5 * static_cast<double>(image.size[1] - 1),
+                       0.5 * static_cast<double>(image.size[2] - 1)})
+            .x;
     const Vec3 edges = voxel_edges(image.frame);
     std::array<std::int64_t, 3> first{};
     for (int axis = 0; axis < 3; ++axis)
@@ -175,11 +221,10 @@ GridMask select_labels(const LabelVolume& image, std::span<const std::int64_t> l
     return result;
 }
 
-std::int64_t keep_largest_component(const VoxelGrid& grid, Mask& mask)
+ComponentSizes keep_largest_component(const VoxelGrid& grid, Mask& mask)
 {
     std::vector<std::int64_t> stack;
-    std::int64_t components = 0;
-    std::int64_t largest = 0;
+    ComponentSizes sizes;
     std::int64_t start_of_largest = 0;
     for (std::int64_t voxel = 0; voxel < grid.count(); ++voxel)
     {
@@ -187,24 +232,44 @@ std::int64_t keep_largest_component(const VoxelGrid& grid, Mask& mask)
         {
             continue;
         }
-        ++components;
+        ++sizes.count;
         mask[voxel] = 2;
         const std::int64_t visited =
             flood(grid, voxel, stack, [&](std::int64_t v) { return mask[v] == 1 ? (mask[v] = 2, true) : false; });
-        if (visited > largest)
+        sizes.voxels += visited;
+        if (visited > sizes.largest)
         {
-            largest = visited;
+            sizes.second = std::exchange(sizes.largest, visited);
             start_of_largest = voxel;
         }
+        else
+        {
+            sizes.second = std::max(sizes.second, visited);
+        }
     }
-    if (components > 0)
+    if (sizes.count > 0)
     {
         mask[start_of_largest] = 1;
         flood(grid, start_of_largest, stack,
               [&](std::int64_t v) { return mask[v] == 2 ? (mask[v] = 1, true) : false; });
         std::replace(mask.begin(), mask.end(), std::uint8_t{2}, std::uint8_t{0});
     }
-    return components;
+    return sizes;
+}
+
+void keep_components_of(const VoxelGrid& grid, const Mask& seeds, Mask& mask)
+{
+    std::vector<std::int64_t> stack;
+    for (std::int64_t voxel = 0; voxel < grid.count(); ++voxel)
+    {
+        if (mask[voxel] == 1 && seeds[voxel] == 1)
+        {
+            mask[voxel] = 2;
+            flood(grid, voxel, stack, [&](std::int64_t v) { return mask[v] == 1 ? (mask[v] = 2, true) : false; });
+        }
+    }
+    std::transform(mask.begin(), mask.end(), mask.begin(),
+                   [](std::uint8_t voxel) { return static_cast<std::uint8_t>(voxel == 2); });
 }
 
 void close_mask(const VoxelGrid& grid, double radius, Mask& mask)

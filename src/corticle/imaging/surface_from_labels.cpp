@@ -5,11 +5,11 @@
 #include "corticle/base/error.hpp"
 #include "corticle/geometry/self_intersections.hpp"
 #include "corticle/imaging/handles.hpp"
+#include "corticle/imaging/hemisphere.hpp"
 #include "corticle/imaging/kuhn_grid.hpp"
 #include "corticle/imaging/marching_tetrahedra.hpp"
 #include "corticle/imaging/mask_cleanup.hpp"
 #include "corticle/imaging/smoothing.hpp"
-#include "corticle/imaging/symmetry_plane.hpp"
 #include "corticle/imaging/taubin_smoothing.hpp"
 
 #include <fmt/format.h>
@@ -28,6 +28,10 @@ namespace
 constexpr float value_gap = 0.15F;
 constexpr double clearance = 0.1; ///< of the surface from voxel centres, in voxels: see marching_tetrahedra
 constexpr int taubin_sweeps = 8;
+constexpr double least_component = 0.8; ///< share of the mask that its largest component must hold
+constexpr double like_size = 0.5;       ///< share of the largest that makes the next one a hemisphere, perhaps
+constexpr double much = 0.2;            ///< share of the mask that a step may remove without a warning
+constexpr double most = 0.5;            ///< share beyond which it is no longer the same body
 
 void require_range(const char* key, double value, double high)
 {
@@ -69,7 +73,9 @@ class SurfaceBuilder
     {
         GridMask selected = select_labels(image, options.labels, options.closing_mm + 2.0 * options.smoothing_mm);
         grid_ = selected.grid;
+        middle_x_ = selected.middle_x;
         mask_ = std::move(selected.mask);
+        report_.voxel_mm = voxel_edges(image.frame);
         note("labels", Mask(mask_.size(), 0), mask_);
         if (selected.touches_border)
         {
@@ -80,7 +86,9 @@ class SurfaceBuilder
 
     void clean()
     {
-        change("largest component", [&] { keep_largest(); });
+        const bool is_whole = options_.hemisphere == "both";
+        is_whole ? change("largest component", [&] { keep_largest("the labels form"); })
+                 : change("components of neither hemisphere", [&] { keep_largest_of_each_side(grid_, mask_); });
         if (options_.closing_mm > 0.0)
         {
             change("closing", [&] { close_mask(grid_, options_.closing_mm, mask_); });
@@ -90,9 +98,11 @@ class SurfaceBuilder
             change("cavities", [&] { corticle::fill_cavities(grid_, mask_); });
         }
         values_.assign(mask_.begin(), mask_.end());
-        if (options_.hemisphere != "both")
+        if (!is_whole)
         {
             change("hemisphere", [&] { cut_hemisphere(); });
+            change("largest component", [&] { keep_largest(fmt::format("the {} half forms", options_.hemisphere)); });
+            drop_values_outside();
         }
         require_voxels();
         double voxels = 0.0;
@@ -169,6 +179,28 @@ class SurfaceBuilder
         const Mask before = mask_;
         apply();
         note(name, before, mask_);
+        if (name != std::string_view("hemisphere"))
+        {
+            judge_loss(voxel_count(before));
+        }
+    }
+
+    /// Of the step noted last.
+    void judge_loss(std::int64_t before)
+    {
+        const MaskStep& step = report_.steps.back();
+        const double share = static_cast<double>(step.removed) / static_cast<double>(std::max<std::int64_t>(before, 1));
+        if (share > most && step.removed < before) // where nothing is left, that is said
+        {
+            throw InputError(fmt::format("label image: the step \"{}\" removes {:.3g} % of the mask, {} of {} voxels; "
+                                         "expected a body that keeps most of it",
+                                         step.name, 100.0 * share, step.removed, before));
+        }
+        if (share > much)
+        {
+            report_.warnings.push_back(
+                fmt::format("the step \"{}\" removed {:.3g} % of the mask", step.name, 100.0 * share));
+        }
     }
 
     void note(const char* name, const Mask& before, const Mask& after)
@@ -194,13 +226,41 @@ class SurfaceBuilder
         }
     }
 
-    void keep_largest()
+    /// @param subject  what forms components, as in "the labels form"
+    void keep_largest(const std::string& subject)
     {
-        const std::int64_t components = keep_largest_component(grid_, mask_);
-        if (components > 1)
+        const ComponentSizes sizes = keep_largest_component(grid_, mask_);
+        const double largest = static_cast<double>(sizes.largest) / static_cast<double>(sizes.voxels);
+        if (largest < least_component)
         {
-            report_.warnings.push_back(
-                fmt::format("the labels form {} components; all but the largest were dropped", components));
+            const double second = static_cast<double>(sizes.second) / static_cast<double>(sizes.voxels);
+            const bool are_two = second >= like_size * largest && largest + second >= least_component;
+            throw InputError(fmt::format(
+                "label image: {} {} components that share no face, the largest holds {:.3g} % of the voxels{}; "
+                "expected "
+                "one of at least {:g} %",
+                subject, sizes.count, 100.0 * largest,
+                are_two && options_.hemisphere == "both"
+                    ? fmt::format(" and the next {:.3g} %: if they are the hemispheres, hemisphere = \"left\" or "
+                                  "\"right\" takes one, or add the label that joins them",
+                                  100.0 * second)
+                    : std::string(),
+                100.0 * least_component));
+        }
+        if (sizes.count > 1)
+        {
+            report_.warnings.push_back(fmt::format("{} {} components; all but the largest, which holds {:.4g} % of the "
+                                                   "voxels, were dropped",
+                                                   subject, sizes.count, 100.0 * largest));
+        }
+    }
+
+    /// Of voxels that the cut left by less than half, those next to the mask count on.
+    void drop_values_outside()
+    {
+        for (std::size_t voxel = 0; voxel < values_.size(); ++voxel)
+        {
+            values_[voxel] = values_[voxel] >= 0.5F && mask_[voxel] == 0 ? 0.0F : values_[voxel];
         }
     }
 
@@ -208,6 +268,7 @@ class SurfaceBuilder
     void cut_hemisphere()
     {
         const Plane plane = midsagittal_plane(grid_, mask_);
+        require_both_hemispheres({grid_, mask_, false, middle_x_}, plane, options_.hemisphere, report_.warnings);
         const double side = options_.hemisphere == "right" ? 1.0 : -1.0;
         const double width = std::cbrt(grid_.voxel_volume());
         for (std::int64_t voxel = 0; voxel < grid_.count(); ++voxel)
@@ -259,6 +320,7 @@ class SurfaceBuilder
 
     MaskOptions options_;
     VoxelGrid grid_;
+    double middle_x_ = 0.0; ///< of the image [mm]
     Mask mask_;
     std::vector<float> values_; ///< of the mask, smoothed
     float level_ = 0.5F;

@@ -142,7 +142,9 @@ void parse_freesurfer_surface(std::string_view bytes, SurfaceBuilder& surface)
                      "12 bytes for each");
     }
     surface.reserve(static_cast<std::size_t>(vertices), static_cast<std::size_t>(triangles));
-    const AffineMap map = to_scanner(bytes.substr(static_cast<std::size_t>(12 * (vertices + triangles))), name);
+    const AffineMap map =
+        surface.chosen_map(to_scanner(bytes.substr(static_cast<std::size_t>(12 * (vertices + triangles))), name),
+                           "the volume geometry behind the triangles");
     for (std::int64_t v = 0; v < vertices; ++v)
     {
         Vec3 p;

@@ -3,13 +3,13 @@
 
 #include "corticle/io/format_error.hpp"
 #include "corticle/io/text_scan.hpp"
+#include "corticle/io/text_table.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <string_view>
 
 namespace corticle
 {
@@ -19,124 +19,97 @@ namespace
 
 constexpr double largest_label = 2147483647.0;
 
-std::vector<std::string_view> split(std::string_view line)
+/// Columns of the text that are read, in the order of LabelTable::columns.
+struct ColumnPlaces
 {
-    std::vector<std::string_view> fields;
-    for (std::size_t begin = 0; begin <= line.size();)
+    std::size_t label = 0;
+    std::vector<std::size_t> values;
+};
+
+ColumnPlaces take_header(const TextTable& text, std::span<const std::string_view> used, LabelTable& table)
+{
+    const std::vector<std::string>& names = text.rows.front().cells;
+    const auto found = std::ranges::find(names, "label");
+    if (found == names.end() || names.size() < 2)
     {
-        const std::size_t end = std::min(line.find(',', begin), line.size());
-        std::string_view field = line.substr(begin, end - begin);
-        const auto first = field.find_first_not_of(" \t\"\r");
-        const auto last = field.find_last_not_of(" \t\"\r");
-        fields.push_back(first == std::string_view::npos ? std::string_view{} : field.substr(first, last - first + 1));
-        begin = end + 1;
+        fail_reading(fmt::format("{}:{}", text.name, text.rows.front().line), "no header",
+                     fmt::format("{}", fmt::join(names, ",")), "column names, among them label, as in: label,growth");
     }
-    return fields;
+    ColumnPlaces places{static_cast<std::size_t>(found - names.begin()), {}};
+    for (std::size_t k = 0; k < names.size(); ++k)
+    {
+        const bool is_used = k == places.label || std::ranges::find(used, names[k]) != used.end();
+        if (is_used && std::ranges::count(names, names[k]) > 1)
+        {
+            fail_reading(text.name, "a column given twice", names[k], "each once");
+        }
+        if (k != places.label)
+        {
+            (is_used ? table.columns : table.unused).push_back(names[k]);
+        }
+        if (k != places.label && is_used)
+        {
+            places.values.push_back(k);
+        }
+    }
+    return places;
 }
 
-/// A table while its lines come in.
-class TableReader
+double number_of(const std::string& cell, const std::string& where)
 {
-  public:
-    explicit TableReader(std::string name) : name_(std::move(name)) {}
-
-    void take(std::string_view line, std::int64_t number)
+    double value = 0.0;
+    if (!to_number(cell, value) || !std::isfinite(value))
     {
-        where_ = fmt::format("{}:{}", name_, number);
-        if (is_blank(line) || line[line.find_first_not_of(" \t")] == '#')
-        {
-            return;
-        }
-        label_column_ ? take_row(split(line)) : take_header(split(line), line);
+        fail_reading(where, "bad value", cell.empty() ? "nothing" : cell, "a finite number");
     }
+    return value;
+}
 
-    LabelTable finish()
+void take_row(const TextTable::Row& row, const std::string& where, const ColumnPlaces& places, LabelTable& table)
+{
+    const std::string& label_cell = row.cells[places.label];
+    const double label = number_of(label_cell, where);
+    if (label != std::round(label) || std::abs(label) > largest_label)
     {
-        if (table_.rows.empty())
-        {
-            fail_reading(name_, "no rows", "an empty table", "a header and at least one line, as in: label,growth");
-        }
-        return std::move(table_);
+        fail_reading(where, "bad label", label_cell, "a whole number of 32 bits");
     }
-
-  private:
-    void take_header(const std::vector<std::string_view>& fields, std::string_view line)
+    std::vector<double> values;
+    for (const std::size_t k : places.values)
     {
-        const auto found = std::find(fields.begin(), fields.end(), "label");
-        if (found == fields.end() || fields.size() < 2)
-        {
-            fail_reading(where_, "no header", line, "column names, among them label, as in: label,growth");
-        }
-        label_column_ = static_cast<std::size_t>(found - fields.begin());
-        for (auto field = fields.begin(); field != fields.end(); ++field)
-        {
-            if (field != found)
-            {
-                table_.columns.emplace_back(*field);
-            }
-        }
+        values.push_back(number_of(row.cells[k], where));
     }
-
-    double number(std::string_view field) const
+    if (!table.rows.emplace(static_cast<std::int64_t>(label), std::move(values)).second)
     {
-        double value = 0.0;
-        if (!to_number(field, value) || !std::isfinite(value))
-        {
-            fail_reading(where_, "bad value", field, "a finite number");
-        }
-        return value;
+        fail_reading(where, "label given twice", label_cell, "each label once");
     }
-
-    void take_row(const std::vector<std::string_view>& fields)
-    {
-        if (fields.size() != table_.columns.size() + 1)
-        {
-            fail_reading(where_, "wrong number of fields", fmt::format("{}", fields.size()),
-                         fmt::format("{}", table_.columns.size() + 1));
-        }
-        std::vector<double> values;
-        values.reserve(fields.size());
-        for (const std::string_view field : fields)
-        {
-            values.push_back(number(field));
-        }
-        const double label = values[*label_column_];
-        values.erase(values.begin() + static_cast<std::ptrdiff_t>(*label_column_));
-        if (label != std::round(label) || std::abs(label) > largest_label)
-        {
-            fail_reading(where_, "bad label", fields[*label_column_], "a whole number of 32 bits");
-        }
-        if (!table_.rows.emplace(static_cast<std::int64_t>(label), std::move(values)).second)
-        {
-            fail_reading(where_, "label given twice", fields[*label_column_], "each label once");
-        }
-    }
-
-    std::string name_;
-    std::string where_;
-    std::optional<std::size_t> label_column_;
-    LabelTable table_;
-};
+}
 
 } // namespace
 
-std::int64_t LabelTable::column(const std::string& name) const
+std::int64_t LabelTable::column(std::string_view name) const
 {
-    const auto found = std::find(columns.begin(), columns.end(), name);
+    const auto found = std::ranges::find(columns, name);
     return found == columns.end() ? -1 : found - columns.begin();
 }
 
-LabelTable read_label_table(const std::filesystem::path& file)
+LabelTable read_label_table(const std::filesystem::path& file, std::span<const std::string_view> used)
 {
-    const std::string text = read_whole_file(file);
-    TableReader reader(file.string());
-    std::string_view rest = text;
-    std::string_view line;
-    for (std::int64_t number = 1; take_line(rest, line); ++number)
+    const TextTable text = parse_text_table(read_whole_file(file), file.string());
+    LabelTable table;
+    if (text.rows.empty())
     {
-        reader.take(line, number);
+        fail_reading(text.name, "no rows", "an empty table", "a header and at least one line, as in: label,growth");
     }
-    return reader.finish();
+    const ColumnPlaces places = take_header(text, used, table);
+    for (std::size_t k = 1; k < text.rows.size(); ++k)
+    {
+        take_row(text.rows[k], fmt::format("{}:{}", text.name, text.rows[k].line), places, table);
+    }
+    if (table.rows.empty())
+    {
+        fail_reading(text.name, "no rows", "an empty table", "a header and at least one line, as in: label,growth");
+    }
+    return table;
 }
 
 } // namespace corticle

@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace corticle
@@ -13,17 +15,18 @@ namespace corticle
 /// Numbers for each region label.
 struct LabelTable
 {
-    std::vector<std::string> columns;                 ///< names of the numbers
+    std::vector<std::string> columns;                 ///< names of the numbers: those asked for that are there
     std::map<std::int64_t, std::vector<double>> rows; ///< label -> a number for each column
+    std::vector<std::string> unused;                  ///< names of the other columns
 
     /// Position of a column; -1 when there is none.
-    std::int64_t column(const std::string& name) const;
+    std::int64_t column(std::string_view name) const;
 };
 
-/// Reads a CSV table whose header holds "label" and the names of further columns of numbers; lines that begin with #
-/// are comments.
-/// @throws InputError, one line naming file and line, on a missing header, a wrong number of fields, a label that is no
-/// whole number or is there twice, or a value that is not finite
-LabelTable read_label_table(const std::filesystem::path& file);
+/// Reads a table (parse_text_table) whose header holds "label" and the names of further columns, of which those in
+/// `used` are read; what stands in the others is left alone.
+/// @throws InputError, one line naming file and line, on a missing header, the same column twice, a wrong number of
+/// cells, a label that is no whole number or is there twice, or a value that is not finite
+LabelTable read_label_table(const std::filesystem::path& file, std::span<const std::string_view> used);
 
 } // namespace corticle

@@ -67,4 +67,13 @@ std::string table_percent(double value)
     return std::abs(value) < 1e-9 ? "0 %" : fmt::format("{:+.3g} %", value);
 }
 
+std::string table_difference(double value)
+{
+    if (std::isnan(value))
+    {
+        return "-";
+    }
+    return std::abs(value) < 1e-12 ? "0" : fmt::format("{:+.3g}", value);
+}
+
 } // namespace corticle

@@ -21,4 +21,7 @@ std::string table_number(double value);
 /// "+1.23 %"; "0 %" below 1e-9 % (round-off), "-" for what is not a number.
 std::string table_percent(double value);
 
+/// A difference of shares, with its sign; a dash for NaN.
+std::string table_difference(double value);
+
 } // namespace corticle

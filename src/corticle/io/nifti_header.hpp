@@ -2,6 +2,7 @@
 #pragma once
 
 #include "corticle/imaging/label_volume.hpp"
+#include "corticle/io/coordinates.hpp"
 #include "corticle/io/inflating_stream.hpp"
 
 #include <array>
@@ -53,10 +54,11 @@ struct NiftiHeader
     double intercept = 0.0;
     std::size_t skip = 0; ///< bytes between header and data
     VoxelFrame frame;
+    std::vector<std::string> notes; ///< what was not taken as it stands, one line each
 };
 
 /// Reads the header and checks it. @throws InputError.
-NiftiHeader read_nifti_header(InflatingStream& stream, const std::string& name);
+NiftiHeader read_nifti_header(InflatingStream& stream, const std::string& name, Coordinates coordinates);
 
 /// Bytes of a number.
 std::size_t size_of(NiftiType type);

@@ -18,9 +18,6 @@ namespace
 /// Numbers are read and turned into labels piece by piece.
 constexpr std::size_t piece_bytes = std::size_t{1} << 20;
 
-/// How far from a whole number a label may be: what slopes in single precision leave.
-constexpr double round_off = 1e-3;
-
 std::size_t chosen_volume(const NiftiHeader& header, std::optional<std::int64_t> volume, const std::string& name)
 {
     if (header.volumes > 1 && !volume)
@@ -89,9 +86,10 @@ class LabelReader
         for (std::size_t k = 0; k < count; ++k)
         {
             const auto raw = static_cast<double>(number_at<Number>(bytes + k * sizeof(Number), header_.swapped));
-            const double value = header_.slope * raw + header_.intercept;
+            const double scaled = header_.slope * raw;
+            const double value = scaled + header_.intercept;
             const double whole = std::nearbyint(value);
-            const bool is_whole = std::abs(value - whole) <= round_off;
+            const bool is_whole = is_whole_label(value, std::max(std::abs(scaled), std::abs(header_.intercept)));
             const bool fits = std::abs(whole) <= static_cast<double>(std::numeric_limits<std::int32_t>::max());
             if (!is_whole || !fits)
             {
@@ -116,7 +114,7 @@ class LabelReader
         const auto width = static_cast<std::size_t>(header_.size[0]);
         const auto height = static_cast<std::size_t>(header_.size[1]);
         fail_reading(name_, fmt::format("{} of {} voxels {}", bad, count, what),
-                     fmt::format("{:g} at voxel ({}, {}, {})", first_, first_voxel_ % width,
+                     fmt::format("{:.9g} at voxel ({}, {}, {})", first_, first_voxel_ % width,
                                  first_voxel_ / width % height, first_voxel_ / (width * height)),
                      "whole labels");
     }
@@ -151,20 +149,22 @@ void skip(InflatingStream& stream, std::size_t count, std::string& piece, const 
 
 bool is_nifti(const std::filesystem::path& file)
 {
-    const std::string name = file.filename().string();
-    return name.ends_with(".nii") || name.ends_with(".nii.gz") || name.ends_with(".hdr") || name.ends_with(".img");
+    const std::string last = lower_case_extension(file);
+    return last == "nii" || last == "hdr" || last == "img" ||
+           (last == "gz" && lower_case_extension(file.stem()) == "nii");
 }
 
-LabelVolume parse_nifti(std::string_view bytes, const std::string& name, std::optional<std::int64_t> volume)
+LabelVolume parse_nifti(std::string_view bytes, const std::string& name, const NiftiChoice& choice)
 {
     InflatingStream stream(bytes, name);
-    const NiftiHeader header = read_nifti_header(stream, name);
+    const NiftiHeader header = read_nifti_header(stream, name, choice.coordinates);
     LabelVolume image;
     image.size = header.size;
     image.frame = header.frame;
+    image.notes = header.notes;
     const std::size_t number = size_of(header.type);
     const auto voxels = static_cast<std::size_t>(header.size[0] * header.size[1] * header.size[2]);
-    const std::size_t chosen = chosen_volume(header, volume, name);
+    const std::size_t chosen = chosen_volume(header, choice.volume, name);
     const std::size_t before = header.skip + chosen * voxels * number;
     const std::size_t announced = before + voxels * number;
     if (announced > stream.most_left())
@@ -194,10 +194,10 @@ LabelVolume parse_nifti(std::string_view bytes, const std::string& name, std::op
     return image;
 }
 
-LabelVolume read_nifti(const std::filesystem::path& file, std::optional<std::int64_t> volume)
+LabelVolume read_nifti(const std::filesystem::path& file, const NiftiChoice& choice)
 {
     const std::string bytes = read_whole_file(file);
-    return parse_nifti(bytes, file.string(), volume);
+    return parse_nifti(bytes, file.string(), choice);
 }
 
 } // namespace corticle

@@ -3,6 +3,7 @@
 
 #include "corticle/io/format_error.hpp"
 #include "corticle/io/text_scan.hpp"
+#include "corticle/io/text_table.hpp"
 
 #include <fmt/format.h>
 
@@ -29,18 +30,6 @@ std::string_view trimmed(std::string_view text)
     return text;
 }
 
-std::vector<std::string_view> fields_of(std::string_view line)
-{
-    std::vector<std::string_view> fields;
-    for (std::size_t end = line.find(','); end != std::string_view::npos; end = line.find(','))
-    {
-        fields.push_back(trimmed(line.substr(0, end)));
-        line.remove_prefix(end + 1);
-    }
-    fields.push_back(trimmed(line));
-    return fields;
-}
-
 NumberColumn column_of(std::string_view title)
 {
     const std::size_t bracket = title.find('[');
@@ -53,17 +42,18 @@ NumberColumn column_of(std::string_view title)
             {}};
 }
 
-std::vector<NumberColumn> columns_of(std::string_view header, const std::string& name)
+std::vector<NumberColumn> columns_of(const TextTable::Row& header, const std::string& name)
 {
     std::vector<NumberColumn> columns;
     std::set<std::string> keys;
-    for (const std::string_view title : fields_of(header))
+    for (const std::string& title : header.cells)
     {
         NumberColumn column = column_of(title);
         double number = 0.0;
         if (column.key.empty() || !keys.insert(column.key).second || to_number(column.key, number))
         {
-            fail_reading(name, "line 1: bad header", title, "a different name for each column, as in \"area [mm2]\"");
+            fail_reading(name, fmt::format("line {}: bad header", header.line), title,
+                         "a different name for each column, as in \"area [mm2]\"");
         }
         columns.push_back(std::move(column));
     }
@@ -79,34 +69,27 @@ const NumberColumn* NumberTable::find(std::string_view key) const
     return found == columns.end() ? nullptr : &*found;
 }
 
-NumberTable parse_number_table(std::string_view text, const std::string& name)
+NumberTable parse_number_table(std::string_view text, const std::string& name, std::span<const std::string_view> used)
 {
-    std::string_view line;
+    const TextTable cells = parse_text_table(text, name);
     NumberTable table;
-    if (!take_line(text, line))
+    if (cells.rows.empty())
     {
         fail_reading(name, "not a table of numbers", "an empty file", "a header and rows");
     }
-    table.columns = columns_of(line, name);
-    for (std::size_t number = 2; take_line(text, line); ++number)
+    table.columns = columns_of(cells.rows.front(), name);
+    for (std::size_t row = 1; row < cells.rows.size(); ++row)
     {
-        if (is_blank(line))
+        for (std::size_t k = 0; k < table.columns.size(); ++k)
         {
-            continue;
-        }
-        const std::vector<std::string_view> fields = fields_of(line);
-        if (fields.size() != table.columns.size())
-        {
-            fail_reading(name, fmt::format("line {}: wrong number of fields", number), fmt::format("{}", fields.size()),
-                         fmt::format("{}", table.columns.size()));
-        }
-        for (std::size_t k = 0; k < fields.size(); ++k)
-        {
+            const std::string& cell = cells.rows[row].cells[k];
             double value = std::numeric_limits<double>::quiet_NaN();
-            if (!fields[k].empty() && !to_number(fields[k], value))
+            const bool is_used = used.empty() || std::ranges::find(used, table.columns[k].key) != used.end();
+            if (!cell.empty() && !to_number(cell, value) && is_used)
             {
-                fail_reading(name, fmt::format("line {}: bad number in column {}", number, table.columns[k].key),
-                             fields[k], "a number");
+                fail_reading(
+                    name, fmt::format("line {}: bad number in column {}", cells.rows[row].line, table.columns[k].key),
+                    cell, "a number");
             }
             table.columns[k].values.push_back(value);
         }
@@ -114,9 +97,9 @@ NumberTable parse_number_table(std::string_view text, const std::string& name)
     return table;
 }
 
-NumberTable read_number_table(const std::filesystem::path& file)
+NumberTable read_number_table(const std::filesystem::path& file, std::span<const std::string_view> used)
 {
-    return parse_number_table(read_whole_file(file), file.string());
+    return parse_number_table(read_whole_file(file), file.string(), used);
 }
 
 } // namespace corticle

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,12 +28,14 @@ struct NumberTable
     const NumberColumn* find(std::string_view key) const;
 };
 
-/// Reads comma-separated numbers under a header of "key [unit]" or "key", whatever the keys. Empty fields are not
-/// numbers (NaN). @throws InputError, one line naming the file, when it is missing, has no header, the same key twice,
-/// a row of another length, or a field that is no number
-NumberTable read_number_table(const std::filesystem::path& file);
+/// Reads a table (parse_text_table) of numbers under a header of "key [unit]" or "key", whatever the keys. Empty cells
+/// are NaN, and so is text in columns other than `used`; without any, all columns must hold numbers.
+/// @throws InputError, one line naming the file, when it is missing, has no header, the same key twice, a row of
+/// another length, or a cell that is no number
+NumberTable read_number_table(const std::filesystem::path& file, std::span<const std::string_view> used = {});
 
 /// The same from text already in memory; `name` is used in messages.
-NumberTable parse_number_table(std::string_view text, const std::string& name);
+NumberTable parse_number_table(std::string_view text, const std::string& name,
+                               std::span<const std::string_view> used = {});
 
 } // namespace corticle

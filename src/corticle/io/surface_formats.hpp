@@ -2,6 +2,8 @@
 #pragma once
 
 #include "corticle/geometry/triangle_mesh.hpp"
+#include "corticle/io/surface_reader.hpp"
+#include "corticle/io/volume_geometry.hpp"
 
 #include <cstdint>
 #include <span>
@@ -15,11 +17,20 @@ namespace corticle
 class SurfaceBuilder
 {
   public:
-    explicit SurfaceBuilder(std::string file) : file_(std::move(file)) {}
+    explicit SurfaceBuilder(std::string file, const SurfaceFileOptions& options = {})
+        : file_(std::move(file)), options_(options)
+    {
+    }
 
     const std::string& file() const { return file_; }
     std::int64_t vertex_count() const { return static_cast<std::int64_t>(mesh_.vertices.size()); }
     std::int64_t triangle_count() const { return static_cast<std::int64_t>(mesh_.triangles.size()); }
+
+    /// What becomes of a map to scanner space that the file describes: as the options say it is applied or not, and a
+    /// note tells. @param source  where it stands, as in "the volume geometry of the file"
+    AffineMap chosen_map(const AffineMap& map, std::string_view source);
+    /// Something of the file that was not taken as it stands.
+    void note(std::string line);
 
     /// Sizes announced by the file; at most what its bytes can hold.
     void reserve(std::size_t vertices, std::size_t triangles);
@@ -33,6 +44,7 @@ class SurfaceBuilder
 
   private:
     std::string file_;
+    SurfaceFileOptions options_;
     TriangleMesh mesh_;
 };
 

@@ -16,6 +16,7 @@ namespace
 {
 
 constexpr const char* scanner_space = "NIFTI_XFORM_SCANNER_ANAT";
+constexpr const char* unknown_space = "NIFTI_XFORM_UNKNOWN";
 
 const GiftiArray& only_array(const GiftiFile& file, const char* intent, const SurfaceBuilder& surface)
 {
@@ -87,16 +88,32 @@ AffineMap map_of(const GiftiTransform& transform, const SurfaceBuilder& surface)
 }
 
 /// From the coordinates of the file to scanner space: nothing to do for coordinates in scanner space; the matrix that
-/// leads there, where there is one; else FreeSurfer's volume geometry; else the coordinates are taken as they are.
-AffineMap to_scanner(const GiftiArray& points, const SurfaceBuilder& surface)
+/// leads there, where there is one; else FreeSurfer's volume geometry, unless the file says that the coordinates are in
+/// a space of another name already; else the coordinates are taken as they are.
+AffineMap to_scanner(const GiftiArray& points, SurfaceBuilder& surface)
 {
     const auto& transforms = points.transforms;
     if (std::ranges::any_of(transforms, [](const GiftiTransform& t) { return t.data_space == scanner_space; }))
     {
         return {};
     }
-    const auto found = std::ranges::find(transforms, scanner_space, &GiftiTransform::transformed_space);
-    return found != transforms.end() ? map_of(*found, surface) : freesurfer_map(points, surface).value_or(AffineMap{});
+    const auto to_there = std::ranges::find(transforms, scanner_space, &GiftiTransform::transformed_space);
+    if (to_there != transforms.end())
+    {
+        return surface.chosen_map(map_of(*to_there, surface),
+                                  fmt::format("the matrix of the file from {} to scanner space", to_there->data_space));
+    }
+    const auto named = std::ranges::find_if(transforms, [](const GiftiTransform& t)
+                                            { return !t.data_space.empty() && t.data_space != unknown_space; });
+    if (named != transforms.end())
+    {
+        surface.note(fmt::format("points are in {} by the file's word, which does not say how to get from there to the "
+                                 "scanner: taken as they are",
+                                 named->data_space));
+        return {};
+    }
+    return surface.chosen_map(freesurfer_map(points, surface).value_or(AffineMap{}),
+                              "the volume geometry in the metadata of the file");
 }
 
 } // namespace

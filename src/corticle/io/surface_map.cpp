@@ -5,12 +5,14 @@
 #include "corticle/io/freesurfer.hpp"
 #include "corticle/io/gifti.hpp"
 #include "corticle/io/text_scan.hpp"
+#include "corticle/io/text_table.hpp"
 #include "corticle/io/vtk_xml.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace corticle
 {
@@ -102,95 +104,59 @@ std::vector<double> from_vtp(std::string_view bytes, const Request& request)
     return file.doubles(array, request.vertex_count);
 }
 
-bool separates(char c)
+/// A table numbers its vertices in a column of this name; values are in the order of the rows, so the numbers must be
+/// those of the rows, from 0 or from 1.
+void require_vertex_order(const TextTable& table, std::size_t column)
 {
-    return c == ',' || c == ';' || is_space(c);
-}
-
-/// The next cell of a line: up to a comma or semicolon, or white space where there is neither; quotes are taken off.
-std::string_view take_cell(std::string_view& line)
-{
-    while (!line.empty() && is_space(line.front()))
+    const auto number = [&](std::size_t row)
     {
-        line.remove_prefix(1);
-    }
-    std::string_view cell;
-    if (!line.empty() && line.front() == '"')
+        double value = 0.0;
+        return to_number(table.rows[row].cells[column], value) ? value : std::numeric_limits<double>::quiet_NaN();
+    };
+    constexpr std::size_t header = 1;
+    const double first = table.rows.size() > header ? number(header) : 0.0;
+    for (std::size_t row = header; row < table.rows.size(); ++row)
     {
-        const std::size_t close = std::min(line.find('"', 1), line.size());
-        cell = line.substr(1, close - 1);
-        line.remove_prefix(std::min(close + 1, line.size()));
-    }
-    else
-    {
-        const auto end = std::ranges::find_if(line, separates);
-        cell = line.substr(0, static_cast<std::size_t>(end - line.begin()));
-        line.remove_prefix(cell.size());
-    }
-    while (!line.empty() && is_space(line.front()))
-    {
-        line.remove_prefix(1);
-    }
-    line.remove_prefix(!line.empty() && (line.front() == ',' || line.front() == ';') ? 1 : 0);
-    return cell;
-}
-
-std::vector<std::string> cells(std::string_view line)
-{
-    std::vector<std::string> result;
-    while (!is_blank(line))
-    {
-        result.emplace_back(take_cell(line));
-    }
-    return result;
-}
-
-/// The next line that is not blank and no comment.
-bool take_row(std::string_view& text, std::string_view& line, std::int64_t& number)
-{
-    while (take_line(text, line))
-    {
-        ++number;
-        if (!is_blank(line) && line.front() != '#')
+        const double expected = (first == 1.0 ? 1.0 : 0.0) + static_cast<double>(row - header);
+        if (number(row) != expected)
         {
-            return true;
+            fail_reading(table.name,
+                         fmt::format("line {}: values are not in the order of the vertices", table.rows[row].line),
+                         fmt::format("vertex {}", table.rows[row].cells[column]), fmt::format("vertex {}", expected));
         }
     }
-    return false;
 }
 
 std::vector<double> from_text(std::string_view bytes, const Request& request)
 {
-    std::string_view text = bytes;
-    std::string_view line;
-    std::int64_t line_number = 0;
-    if (!take_row(text, line, line_number))
+    const TextTable table = parse_text_table(bytes, request.name);
+    if (table.rows.empty())
     {
         fail_reading(request.name, "no map in the file", "no line with a number", "a number for each vertex");
     }
-    const std::vector<std::string> first = cells(line);
-    double ignored = 0.0;
+    const std::vector<std::string>& first = table.rows.front().cells;
+    double value = 0.0;
     const bool has_header =
-        std::ranges::none_of(first, [&](const std::string& cell) { return to_number(cell, ignored); });
+        std::ranges::none_of(first, [&](const std::string& cell) { return to_number(cell, value); });
     std::vector<std::string> names;
     for (std::size_t k = 0; k < first.size(); ++k)
     {
         names.push_back(has_header ? first[k] : std::to_string(k));
     }
     const std::size_t column = chosen(request, names);
-    std::vector<double> values;
-    for (bool more = has_header ? take_row(text, line, line_number) : true; more;
-         more = take_row(text, line, line_number))
+    const auto vertex = std::ranges::find(names, "vertex");
+    if (vertex != names.end() && vertex - names.begin() != static_cast<std::ptrdiff_t>(column))
     {
-        std::string_view cell;
-        for (std::size_t k = 0; k <= column; ++k)
-        {
-            cell = take_cell(line);
-        }
-        double value = 0.0;
+        require_vertex_order(table, static_cast<std::size_t>(vertex - names.begin()));
+    }
+    std::vector<double> values;
+    for (std::size_t row = has_header ? 1 : 0; row < table.rows.size(); ++row)
+    {
+        const std::string& cell = table.rows[row].cells[column];
         if (!to_number(cell, value))
         {
-            fail_reading(request.name, fmt::format("line {} lacks a number in column {}", line_number, names[column]),
+            fail_reading(request.name,
+                         fmt::format("line {} lacks a number in column {}", table.rows[row].line, names[column]),
                          cell.empty() ? "nothing" : cell, "a number");
         }
         values.push_back(value);

@@ -46,10 +46,11 @@ Parser parser_for(std::string_view bytes, const std::string& extension, const st
                  ".stl, .obj, .ply, .off, .vtp, .gii or a FreeSurfer surface");
 }
 
-TriangleMesh parse_unmerged(std::string_view bytes, const std::string& extension, const std::string& name)
+TriangleMesh parse_unmerged(std::string_view bytes, const std::string& extension, const std::string& name,
+                            const SurfaceFileOptions& options)
 {
     const Parser parser = parser_for(bytes, extension, name);
-    SurfaceBuilder builder(name);
+    SurfaceBuilder builder(name, options);
     parser(bytes, builder);
     return builder.finish();
 }
@@ -66,6 +67,30 @@ TriangleMesh merged(const TriangleMesh& surface, const std::string& name)
 }
 
 } // namespace
+
+AffineMap SurfaceBuilder::chosen_map(const AffineMap& map, std::string_view source)
+{
+    if (map.is_identity())
+    {
+        return map;
+    }
+    if (options_.coordinates == Coordinates::file)
+    {
+        note(fmt::format("points are taken as they are, since coordinates = file: {} would have {} them", source,
+                         describe(map)));
+        return {};
+    }
+    note(fmt::format("points were {} by {} (coordinates = file takes them as they are)", describe(map), source));
+    return map;
+}
+
+void SurfaceBuilder::note(std::string line)
+{
+    if (options_.notes != nullptr)
+    {
+        options_.notes->push_back(std::move(line));
+    }
+}
 
 void SurfaceBuilder::reserve(std::size_t vertices, std::size_t triangles)
 {
@@ -147,30 +172,31 @@ double millimetres_per(const std::string& unit)
     throw InputError(fmt::format("unknown unit of length; got \"{}\"; expected \"mm\", \"cm\" or \"m\"", unit));
 }
 
-TriangleMesh parse_surface(std::string_view bytes, const std::string& extension, const std::string& name)
+TriangleMesh parse_surface(std::string_view bytes, const std::string& extension, const std::string& name,
+                           const SurfaceFileOptions& options)
 {
-    return merged(parse_unmerged(bytes, extension, name), name);
+    return merged(parse_unmerged(bytes, extension, name, options), name);
 }
 
-TriangleMesh read_surface_unmerged(const std::filesystem::path& file, double scale)
+TriangleMesh read_surface_unmerged(const std::filesystem::path& file, const SurfaceFileOptions& options)
 {
     const std::string name = file.string();
-    TriangleMesh surface = parse_unmerged(read_whole_file(file), lower_case_extension(file), name);
+    TriangleMesh surface = parse_unmerged(read_whole_file(file), lower_case_extension(file), name, options);
     for (Vec3& vertex : surface.vertices)
     {
-        vertex *= scale;
+        vertex *= options.scale;
         if (!is_finite(vertex))
         {
-            fail_reading(name, "a vertex is not finite once scaled", fmt::format("scale {}", scale),
+            fail_reading(name, "a vertex is not finite once scaled", fmt::format("scale {}", options.scale),
                          "finite coordinates");
         }
     }
     return surface;
 }
 
-TriangleMesh read_surface(const std::filesystem::path& file, double scale)
+TriangleMesh read_surface(const std::filesystem::path& file, const SurfaceFileOptions& options)
 {
-    return merged(read_surface_unmerged(file, scale), file.string());
+    return merged(read_surface_unmerged(file, options), file.string());
 }
 
 } // namespace corticle

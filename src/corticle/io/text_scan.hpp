@@ -54,6 +54,13 @@ inline bool take_line(std::string_view& text, std::string_view& line)
     return true;
 }
 
+/// Without the mark of byte order that editors put before UTF-8.
+inline std::string_view without_byte_order_mark(std::string_view text)
+{
+    constexpr std::string_view mark = "\xef\xbb\xbf";
+    return text.substr(text.starts_with(mark) ? mark.size() : 0);
+}
+
 /// True when the whole word is one number of this type.
 template <class Number>
 bool to_number(std::string_view word, Number& value)

@@ -4,6 +4,7 @@
 #include "corticle/base/mat3.hpp"
 
 #include <optional>
+#include <string>
 
 namespace corticle
 {
@@ -17,7 +18,12 @@ struct AffineMap
     Vec3 operator()(const Vec3& x) const { return linear * x + shift; }
     /// Turns right-handed frames into left-handed ones, so triangles change their sense.
     bool mirrors() const { return determinant(linear) < 0.0; }
+    /// Moves nothing, but for round-off of single precision.
+    bool is_identity() const;
 };
+
+/// "moved by (1, 2, 3) mm", "turned and moved ..." or "mapped ...", for a line of a report.
+std::string describe(const AffineMap& map);
 
 /// Where the volume that a FreeSurfer surface was made from lies in the scanner: directions of its three axes and its
 /// centre, in scanner RAS [mm].

@@ -202,6 +202,20 @@ double percent_difference(double a, double b)
     return a == 0.0 || !std::isfinite(a) || !std::isfinite(b) ? nan : 100.0 * (b - a) / std::abs(a);
 }
 
+bool is_share(std::string_view key)
+{
+    return key.starts_with("asymmetry") || key.ends_with("_share");
+}
+
+double telling_percent(std::string_view key, double a, double b, double scale)
+{
+    constexpr double least_of_other = 0.01;
+    constexpr double least_of_scale = 1e-6;
+    const double least = std::max(least_of_other * std::abs(b), least_of_scale * scale);
+    const bool is_near_zero = a != b && std::abs(a) < least;
+    return is_share(key) || is_near_zero ? nan : percent_difference(a, b);
+}
+
 double interpolate(std::span<const double> x, std::span<const double> y, double at)
 {
     const auto above = std::lower_bound(x.begin(), x.end(), at);

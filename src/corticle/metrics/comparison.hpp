@@ -3,11 +3,20 @@
 
 #include "corticle/geometry/triangle_mesh.hpp"
 
+#include <string_view>
+
 namespace corticle
 {
 
 /// 100 (b - a) / |a| [%]; 0 where both are equal, not a number where only a is 0 or one of them is not finite.
 double percent_difference(double a, double b);
+
+/// Is this measure a share or an asymmetry? They may be 0 and are compared by their difference, not in percent.
+bool is_share(std::string_view key);
+
+/// percent_difference where it says something: NaN for shares and asymmetries, and where a is near zero, below a
+/// hundredth of b or a millionth of `scale`. @param scale  size of the measure, such as its largest value in a run
+double telling_percent(std::string_view key, double a, double b, double scale = 0.0);
 
 /// The value at `at` of a curve through (x, y), linear between its points; x ascends. Not a number outside the curve.
 double interpolate(std::span<const double> x, std::span<const double> y, double at);

@@ -68,7 +68,8 @@ TriangleMesh outer_surface(std::span<const Vec3> vertices, std::span<const Trian
 }
 
 double curvature_wavelength(std::span<const Vec3> vertices, std::span<const Triangle> triangles,
-                            std::span<const double> mean_curvature, std::span<const double> areas)
+                            std::span<const double> mean_curvature, std::span<const double> areas,
+                            double least_wave_height_mm)
 {
     const double mean = area_mean(areas, [&](std::size_t v) { return mean_curvature[v]; });
     const double square = area_mean(areas, [&](std::size_t v) { return mean_curvature[v] * mean_curvature[v]; });
@@ -76,8 +77,9 @@ double curvature_wavelength(std::span<const Vec3> vertices, std::span<const Tria
     {
         return 0.0;
     }
-    return dominant_wavelength(laplace_beltrami_spectrum(vertices, triangles, mean_curvature),
-                               fold_band(vertices, triangles));
+    FoldBand band = fold_band(vertices, triangles);
+    band.least_height = least_wave_height_mm;
+    return dominant_wavelength(laplace_beltrami_spectrum(vertices, triangles, mean_curvature), band);
 }
 
 } // namespace
@@ -115,7 +117,8 @@ FoldMeasures measure_folds(std::span<const Vec3> vertices, std::span<const Trian
     m.sulcal_depth_max_mm = *std::max_element(fields.sulcal_depth.begin(), fields.sulcal_depth.end());
     m.sulcal_pits = static_cast<double>(extrema.pits.size());
     m.gyral_crowns = static_cast<double>(extrema.crowns.size());
-    m.fold_wavelength_mm = curvature_wavelength(vertices, triangles, fields.curvature.mean, areas);
+    m.fold_wavelength_mm =
+        curvature_wavelength(vertices, triangles, fields.curvature.mean, areas, options.least_wave_height_mm);
     m.asymmetry_area = sides.area;
     m.asymmetry_volume = sides.volume;
     return m;

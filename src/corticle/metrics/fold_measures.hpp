@@ -27,6 +27,7 @@ struct FoldOptions
     double adult_closing_mm = 15.0;     ///< radius of the ball of OuterSurface::closed (Schaer et al. 2008)
     double adult_ball_mm = 25.0;        ///< radius of the ball of local gyrification (Schaer et al. 2008)
     double adult_ridge_height_mm = 2.5; ///< between sulcal pits (Im et al. 2010)
+    double least_wave_height_mm = 0.0;  ///< root mean square, of waves that count as folds
     std::optional<Plane> midplane;      ///< of the asymmetry; that of the surface itself if there is none
 };
 

@@ -222,7 +222,9 @@ double dominant_wavelength(std::span<const SpectralLine> spectrum, const FoldBan
             density += share;
             moment += share * other;
         }
-        if (density > densest)
+        const double wave_number = 2.0 * std::numbers::pi * std::exp(-at);
+        const double height = 2.0 * std::sqrt(density) / (wave_number * wave_number);
+        if (density > densest && height >= band.least_height)
         {
             densest = density;
             centre = moment / density;

@@ -30,14 +30,15 @@ struct FoldBand
 {
     double shortest = 0.0;
     double longest = 0.0;
+    double least_height = 0.0; ///< root mean square height that the waves about a wavelength must have [mm]
 };
 
 /// From four mean edges of the mesh to the wavelength of degree 4 on the sphere of equal area: longer waves are the
 /// shape of the body (Germanaud et al. 2012, NeuroImage 63, sets the first bands of a brain apart likewise).
 FoldBand fold_band(std::span<const Vec3> vertices, std::span<const Triangle> triangles);
 
-/// Wavelength around which the power of a spectrum is densest over the logarithm of the wavelength, within a band [mm];
-/// 0 where the band holds no power.
+/// Wavelength around which the power of a spectrum of the mean curvature H is densest over the logarithm of the
+/// wavelength, within a band [mm]; 0 where the band holds no power. Waves of height u have H = u k² / 2.
 double dominant_wavelength(std::span<const SpectralLine> spectrum, const FoldBand& band);
 
 } // namespace corticle

@@ -49,13 +49,15 @@ void set_depth(const SurfaceTree& tree, std::span<const Vec3> places, Tissue& ti
                  });
 }
 
-void set_maps(const MapOptions& options, const TriangleMesh& map_surface, std::span<const Vec3> places, Tissue& tissue)
+BodyMaps set_maps(const MapOptions& options, const TriangleMesh& map_surface, std::span<const Vec3> places,
+                  Tissue& tissue)
 {
     BodyMaps maps = read_body_maps(options, map_surface, places);
     tissue.mapped_rate = std::move(maps.growth);
     tissue.growth_onset = std::move(maps.onset);
     tissue.growth_rate = std::move(maps.rate);
     tissue.thickness = std::move(maps.thickness);
+    return maps;
 }
 
 /// Nodes of tets as particles; the tets themselves become elements where the method asks for them.
@@ -268,7 +270,9 @@ Body arrange_body(const Options& options)
         body.tissue.depth[particle] = 0.0; // exactly
     }
     apply_thesis_choices(options, body);
-    set_maps(options.map, source.map_surface, body.cloud.positions, body.tissue);
+    BodyMaps maps = set_maps(options.map, source.map_surface, body.cloud.positions, body.tissue);
+    std::ranges::move(maps.notes, std::back_inserter(body.report.notes));
+    std::ranges::move(maps.warnings, std::back_inserter(body.report.warnings));
     if (body.fem)
     {
         const std::vector<Vec3> places = centroids(body.cloud.positions, body.fem->elements.tets);

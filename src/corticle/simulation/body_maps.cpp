@@ -2,160 +2,22 @@
 #include "corticle/simulation/body_maps.hpp"
 
 #include "corticle/base/error.hpp"
-#include "corticle/base/parallel.hpp"
-#include "corticle/geometry/surface_tree.hpp"
 #include "corticle/io/label_table.hpp"
-#include "corticle/io/nifti.hpp"
-#include "corticle/io/surface_map.hpp"
+#include "corticle/simulation/map_sampler.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
+#include <array>
+#include <iterator>
+#include <set>
 
 namespace corticle
 {
 
 namespace
 {
-
-/// A map file and which array of it is meant.
-struct MapFile
-{
-    const char* key; ///< for messages
-    const std::string& file;
-    const std::string& array;
-};
-
-/// The values of maps at material points.
-class MapSampler
-{
-  public:
-    MapSampler(const TriangleMesh& surface, std::span<const Vec3> positions) : surface_(surface), positions_(positions)
-    {
-    }
-
-    /// Interpolated numbers.
-    std::vector<double> numbers(const MapFile& map)
-    {
-        const std::vector<double> values = at_vertices(map);
-        return at_points(
-            [&](const SurfacePoint& foot)
-            {
-                const Triangle& corners = surface_.triangles[static_cast<std::size_t>(foot.triangle)];
-                double sum = 0.0;
-                for (std::size_t k = 0; k < 3; ++k)
-                {
-                    sum += foot.barycentric[k] * values[static_cast<std::size_t>(corners[k])];
-                }
-                return sum;
-            });
-    }
-
-    /// Labels, which are not interpolated.
-    std::vector<double> labels(const MapFile& map)
-    {
-        if (is_nifti(map.file))
-        {
-            return in_volume(map);
-        }
-        const std::vector<double> values = at_vertices(map);
-        for (std::size_t k = 0; k < values.size(); ++k)
-        {
-            if (values[k] != std::round(values[k]))
-            {
-                throw InputError(fmt::format("{} {}: vertex {} has {}; expected a whole number, a label", map.key,
-                                             map.file, k, values[k]));
-            }
-        }
-        return at_points(
-            [&](const SurfacePoint& foot)
-            {
-                const Triangle& corners = surface_.triangles[static_cast<std::size_t>(foot.triangle)];
-                const auto nearest = std::max_element(foot.barycentric.begin(), foot.barycentric.end());
-                return values[static_cast<std::size_t>(
-                    corners[static_cast<std::size_t>(nearest - foot.barycentric.begin())])];
-            });
-    }
-
-  private:
-    std::vector<double> at_vertices(const MapFile& map) const
-    {
-        if (surface_.vertices.empty())
-        {
-            throw InputError(
-                fmt::format("{} {}: gives numbers at the vertices of a surface, but the body is not made from "
-                            "a surface file; expected a NIfTI label volume, or geometry.file = a surface",
-                            map.key, map.file));
-        }
-        return read_surface_map(map.file, map.array, std::ssize(surface_.vertices));
-    }
-
-    /// value(foot) for the foot of every point on the surface.
-    template <class Value>
-    std::vector<double> at_points(Value&& value)
-    {
-        if (feet_.empty())
-        {
-            const SurfaceTree tree(surface_.vertices, surface_.triangles);
-            feet_.resize(positions_.size());
-            parallel_for(std::ssize(positions_),
-                         [&](std::int64_t i)
-                         {
-                             const auto k = static_cast<std::size_t>(i);
-                             feet_[k] = tree.closest(positions_[k]);
-                         });
-        }
-        std::vector<double> result;
-        result.reserve(feet_.size());
-        for (const SurfacePoint& foot : feet_)
-        {
-            result.push_back(value(foot));
-        }
-        return result;
-    }
-
-    /// The label of the voxel each point lies in; 0 outside the volume.
-    std::vector<double> in_volume(const MapFile& map) const
-    {
-        const LabelVolume volume = read_nifti(map.file, std::nullopt);
-        const Mat3 to_index = inverse(volume.frame.linear);
-        std::vector<double> result;
-        result.reserve(positions_.size());
-        for (const Vec3& X : positions_)
-        {
-            const Vec3 index = to_index * (X - volume.frame.origin);
-            std::int64_t at = 0;
-            bool is_inside = true;
-            for (int axis = 2; axis >= 0; --axis)
-            {
-                const auto size = volume.size[static_cast<std::size_t>(axis)];
-                const double k = std::round(index[axis]);
-                is_inside = is_inside && k >= 0.0 && k < static_cast<double>(size);
-                at = is_inside ? at * size + static_cast<std::int64_t>(k) : 0;
-            }
-            result.push_back(is_inside ? volume.labels[static_cast<std::size_t>(at)] : 0.0);
-        }
-        return result;
-    }
-
-    const TriangleMesh& surface_;
-    std::span<const Vec3> positions_;
-    std::vector<SurfacePoint> feet_; ///< found when first needed
-};
-
-/// Refuses values that are not above `low` (or at it, where that is allowed).
-void require_above(const MapFile& map, std::span<const double> values, double low, bool is_open)
-{
-    const auto bad = std::find_if(values.begin(), values.end(),
-                                  [&](double value) { return is_open ? !(value > low) : !(value >= low); });
-    if (bad != values.end())
-    {
-        throw InputError(fmt::format("{} {}: holds {}; expected numbers {} {}", map.key, map.file, *bad,
-                                     is_open ? "above" : "of at least", low));
-    }
-}
 
 /// A column of the region table and what its numbers may be.
 struct RegionColumn
@@ -200,10 +62,34 @@ std::vector<double> by_region(const MapOptions& options, const LabelTable& table
     return values;
 }
 
+/// Columns that are not read, and lines whose label no point has: a misspelt one should not vanish.
+void note_what_is_unused(const LabelTable& table, std::span<const double> labels, std::vector<std::string>& notes)
+{
+    if (!table.unused.empty())
+    {
+        notes.push_back(fmt::format("map.region_table: columns not used: {}", fmt::join(table.unused, ", ")));
+    }
+    const std::set<double> there(labels.begin(), labels.end());
+    std::vector<std::int64_t> absent;
+    for (const auto& row : table.rows)
+    {
+        if (!there.contains(static_cast<double>(row.first)))
+        {
+            absent.push_back(row.first);
+        }
+    }
+    if (!absent.empty())
+    {
+        notes.push_back(fmt::format("map.region_table: labels at no point of the body: {}", fmt::join(absent, ", ")));
+    }
+}
+
 /// Growth, onset and rate of the region each point is in.
 void apply_regions(const MapOptions& options, std::span<const double> labels, BodyMaps& maps)
 {
-    const LabelTable table = read_label_table(options.region_table);
+    constexpr std::array<std::string_view, 3> used{"growth", "onset", "rate"};
+    const LabelTable table = read_label_table(options.region_table, used);
+    note_what_is_unused(table, labels, maps.notes);
     const std::vector<double> factors = by_region(options, table, labels, {"growth", 0.0, 1000.0, true});
     for (std::size_t i = 0; i < factors.size(); ++i)
     {
@@ -223,8 +109,7 @@ BodyMaps read_body_maps(const MapOptions& options, const TriangleMesh& surface, 
     if (!options.growth_file.empty())
     {
         const MapFile map{"map.growth_file", options.growth_file, options.growth_array};
-        maps.growth = sampler.numbers(map);
-        require_above(map, maps.growth, 0.0, false);
+        maps.growth = sampler.numbers(map, {0.0});
     }
     if (!options.region_file.empty())
     {
@@ -237,13 +122,18 @@ BodyMaps read_body_maps(const MapOptions& options, const TriangleMesh& surface, 
         {
             maps.growth[i] = still[i] != 0.0 ? 0.0 : maps.growth[i];
         }
+        if (std::ranges::all_of(still, [](double label) { return label == 0.0; }))
+        {
+            sampler.warnings.emplace_back("map.still_file: no point of the body lies in this mask: all of it grows");
+        }
     }
     if (!options.thickness_file.empty())
     {
         const MapFile map{"map.thickness_file", options.thickness_file, options.thickness_array};
-        maps.thickness = sampler.numbers(map);
-        require_above(map, maps.thickness, 0.0, true);
+        maps.thickness = sampler.numbers(map, {0.0, true});
     }
+    std::ranges::move(sampler.notes, std::back_inserter(maps.notes));
+    maps.warnings = std::move(sampler.warnings);
     return maps;
 }
 

@@ -5,6 +5,7 @@
 #include "corticle/geometry/triangle_mesh.hpp"
 
 #include <span>
+#include <string>
 #include <vector>
 
 namespace corticle
@@ -13,14 +14,15 @@ namespace corticle
 /// What map files say at material points.
 struct BodyMaps
 {
-    std::vector<double> growth;    ///< regional growth m [-], one per point
-    std::vector<double> onset;     ///< of growth [t], one per point; empty: the same everywhere
-    std::vector<double> rate;      ///< of growth [1/t], one per point; empty: the same everywhere
-    std::vector<double> thickness; ///< of the cortex at t = 0 [mm], one per point; empty: the same everywhere
+    std::vector<double> growth;        ///< regional growth m [-], one per point
+    std::vector<double> onset;         ///< of growth [t], one per point; empty: the same everywhere
+    std::vector<double> rate;          ///< of growth [1/t], one per point; empty: the same everywhere
+    std::vector<double> thickness;     ///< of the cortex at t = 0 [mm], one per point; empty: the same everywhere
+    std::vector<std::string> notes;    ///< how each map reaches the points, one line each
+    std::vector<std::string> warnings; ///< what of a map is lost between them, one line each
 };
 
-/// Reads the maps and carries them to material points. Numbers at vertices are interpolated at the closest point of the
-/// surface they belong to, labels taken from its nearest corner, volumes from the voxel a point lies in.
+/// Reads the maps and carries them to material points (MapSampler).
 /// m is the product of the growth map and the region's factor, 0 under the mask of what is still.
 /// @param surface    whose vertices the maps refer to, as it is in its file, in mm; without vertices: there is none
 /// @param positions  reference [mm]

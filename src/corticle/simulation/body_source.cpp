@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/simulation/body_source.hpp"
 
-#include "corticle/base/error.hpp"
 #include "corticle/geometry/repair.hpp"
-#include "corticle/geometry/validate.hpp"
 #include "corticle/geometry/validate_tets.hpp"
-#include "corticle/imaging/surface_from_labels.hpp"
 #include "corticle/io/nifti.hpp"
 #include "corticle/io/surface_reader.hpp"
 #include "corticle/io/tet_reader.hpp"
+#include "corticle/simulation/label_surface.hpp"
 
-#include <fmt/format.h>
-
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <numbers>
@@ -25,21 +22,11 @@ namespace
 void take_labels(const GeometryOptions& options, BodySource& source)
 {
     source.kind = "labels";
-    const LabelVolume image = read_nifti(options.file, options.mask.volume);
-    ImagedSurface imaged;
-    try
-    {
-        imaged = surface_from_labels(image, options.mask);
-    }
-    catch (const InputError& error)
-    {
-        throw InputError(fmt::format("{}: {}", options.file, error.what()));
-    }
+    ImagedSurface imaged = read_label_surface(options.file, options.mask, options.coordinates, source.notes);
     source.surface = std::move(imaged.surface);
-    source.notes = describe(imaged.report);
+    std::ranges::copy(describe(imaged.report), std::back_inserter(source.notes));
     source.warnings = imaged.report.warnings;
     source.reports.mask = std::move(imaged.report);
-    require_valid_surface(source.surface, options.file);
 }
 
 void take_tets(const GeometryOptions& options, BodySource& source)
@@ -56,10 +43,12 @@ void take_tets(const GeometryOptions& options, BodySource& source)
 void take_surface(const GeometryOptions& options, BodySource& source)
 {
     source.kind = "surface";
-    source.map_surface = read_surface_unmerged(options.file, millimetres_per(options.unit));
+    source.map_surface =
+        read_surface_unmerged(options.file, {millimetres_per(options.unit), options.coordinates, &source.notes});
     RepairedSurface repaired = repair_surface(source.map_surface, options.file, options.repair, options.wrap);
     source.surface = std::move(repaired.mesh);
-    source.notes = repaired.report.lines;
+    std::ranges::copy(repaired.report.lines, std::back_inserter(source.notes));
+    std::ranges::copy(repaired.report.warnings, std::back_inserter(source.warnings));
     source.reports.repair = std::move(repaired.report);
 }
 

@@ -117,7 +117,10 @@ ComparisonOutcome compare(const ComparisonRequest& request)
     const auto run = std::find_if(request.others.begin(), request.others.end(), is_folder);
     if (run == request.others.end())
     {
-        return write(folder, request, compare_with_real(request));
+        const RealComparison comparison = compare_with_real(request);
+        ComparisonOutcome outcome = write(folder, request, comparison);
+        outcome.warnings = comparison.warnings();
+        return outcome;
     }
     if (request.others.size() > 1)
     {

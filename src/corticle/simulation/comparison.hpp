@@ -35,6 +35,7 @@ struct ComparisonOutcome
     std::string json;             ///< comparison.json
     std::string summary;          ///< some lines for the terminal
     Pictures pictures;
+    std::vector<std::string> warnings{}; ///< about real surfaces, one line each
 };
 
 /// Compares a run with another run, or with real surfaces: reads all, then writes report.md, comparison.json and

@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -31,7 +32,8 @@ constexpr double missed_over_distance = 0.5;      ///< surface farther than this
 
 std::vector<Vec3> table_points(const fs::path& file)
 {
-    const NumberTable table = read_number_table(file);
+    constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
+    const NumberTable table = read_number_table(file, axes);
     std::vector<Vec3> points(table.row_count());
     for (int axis = 0; axis < 3; ++axis)
     {

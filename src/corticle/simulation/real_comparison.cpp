@@ -95,9 +95,9 @@ RealSurface measure_real(const std::string& name, const Axis& axis, const RealSu
         throw InputError(
             fmt::format("{}: the run has no weeks (no clock); expected FILE@t=T with a growth time", name));
     }
-    const TriangleMesh surface = read_real_surface(place.file, options);
-    return {name, place.is_week ? place.value : axis.place_of_t(place.value),
-            surface_rows(surface.vertices, surface.triangles)};
+    RealSurfaceReading reading = read_real_surface(place.file, options);
+    return {name, place.is_week ? place.value : axis.place_of_t(place.value), surface_rows(reading),
+            std::move(reading.notes), std::move(reading.warnings)};
 }
 
 void require_common_places(const RealComparison& comparison)
@@ -137,6 +137,19 @@ double RealComparison::run_value(std::size_t row, const RealSurface& real) const
         values.push_back(rows[row].value);
     }
     return interpolate(places, values, real.place);
+}
+
+std::vector<std::string> RealComparison::warnings() const
+{
+    std::vector<std::string> lines;
+    for (const RealSurface& real : reals)
+    {
+        for (const std::string& warning : real.warnings)
+        {
+            lines.push_back(fmt::format("{}: {}", real.name, warning));
+        }
+    }
+    return lines;
 }
 
 RealComparison compare_with_real(const ComparisonRequest& request)

@@ -14,6 +14,8 @@ struct RealSurface
     std::string name;   ///< as given: FILE@WEEK or FILE@t=T
     double place = 0.0; ///< on the axis of the comparison
     std::vector<SurfaceRow> rows;
+    std::vector<std::string> notes;    ///< of its file, one line each
+    std::vector<std::string> warnings; ///< the same
 };
 
 /// A run beside real surfaces, all measured alike.
@@ -29,6 +31,8 @@ struct RealComparison
     /// Measure number `row` of the run, interpolated linearly to a real surface's place; not a number where the run
     /// does not reach.
     double run_value(std::size_t row, const RealSurface& real) const;
+    /// Of reading the real surfaces: "NAME: warning".
+    std::vector<std::string> warnings() const;
 };
 
 /// Measures a run and real surfaces.

@@ -20,9 +20,31 @@ constexpr const char* measures_plot = "measures.png";
 
 using Json = nlohmann::ordered_json;
 
+/// The run less the real surface, in percent or, of shares, as it is.
+std::string shown_difference(const SurfaceRow& real, double run)
+{
+    return is_share(real.key) ? table_difference(run - real.value)
+                              : table_percent(telling_percent(real.key, real.value, run));
+}
+
+/// What reading the file noted and warned about.
+std::string reading_lines(const RealSurface& real)
+{
+    std::string text;
+    for (const std::string& note : real.notes)
+    {
+        text += fmt::format("- {}\n", markdown_cell(note));
+    }
+    for (const std::string& warning : real.warnings)
+    {
+        text += fmt::format("- Warning: {}\n", markdown_cell(warning));
+    }
+    return text.empty() ? text : text + "\n";
+}
+
 std::string real_section(const RealComparison& comparison, const RealSurface& real)
 {
-    std::string text = fmt::format("## {}\n\n", markdown_cell(real.name));
+    std::string text = fmt::format("## {}\n\n", markdown_cell(real.name)) + reading_lines(real);
     if (std::isnan(comparison.run_value(0, real)))
     {
         text += fmt::format("The run does not reach this surface's {}.\n\n", comparison.axis);
@@ -32,7 +54,7 @@ std::string real_section(const RealComparison& comparison, const RealSurface& re
     {
         const double run = comparison.run_value(k, real);
         rows.push_back({fmt::format("`{}`", real.rows[k].key), real.rows[k].unit, table_number(real.rows[k].value),
-                        table_number(run), table_percent(percent_difference(real.rows[k].value, run))});
+                        table_number(run), shown_difference(real.rows[k], run)});
     }
     return text + markdown_table({"measure", "unit", "real", "run", "run less real"}, rows);
 }
@@ -46,11 +68,15 @@ Json real_json(const RealComparison& comparison, const RealSurface& real)
     for (std::size_t k = 0; k < real.rows.size(); ++k)
     {
         const double run = comparison.run_value(k, real);
-        json["measures"][real.rows[k].key] = {{"unit", real.rows[k].unit},
-                                              {"real", real.rows[k].value},
-                                              {"run", run},
-                                              {"difference_percent", percent_difference(real.rows[k].value, run)}};
+        json["measures"][real.rows[k].key] = {
+            {"unit", real.rows[k].unit},
+            {"real", real.rows[k].value},
+            {"run", run},
+            {"difference", run - real.rows[k].value},
+            {"difference_percent", telling_percent(real.rows[k].key, real.rows[k].value, run)}};
     }
+    json["notes"] = real.notes;
+    json["warnings"] = real.warnings;
     return json;
 }
 
@@ -120,7 +146,8 @@ std::string comparison_report(const RealComparison& comparison, const Pictures& 
         "# {} beside real surfaces\n\nRun folder: {}. Its surfaces, {} output times from {} = {} to {}, and the real "
         "ones "
         "are measured by the same functions. Between its output times the run is interpolated linearly. Differences "
-        "are those of the run from the real surface, over the real one.\n\n",
+        "are those of the run from the real surface, over the real one; of shares and asymmetries they are plain "
+        "differences, and over what is near zero there is none.\n\n",
         markdown_cell(comparison.run_name), markdown_cell(comparison.run_folder.string()), comparison.places.size(),
         comparison.axis, table_number(comparison.places.front()), table_number(comparison.places.back()));
     for (const RealSurface& real : comparison.reals)
@@ -142,7 +169,7 @@ std::string comparison_summary(const RealComparison& comparison)
         {
             const double run = comparison.run_value(k, real);
             text += fmt::format("  {:<20}{:>12}{:>12}   {}\n", real.rows[k].key, table_number(real.rows[k].value),
-                                table_number(run), table_percent(percent_difference(real.rows[k].value, run)));
+                                table_number(run), shown_difference(real.rows[k], run));
         }
     }
     return text;

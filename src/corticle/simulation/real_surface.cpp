@@ -3,14 +3,25 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/geometry/validate.hpp"
-#include "corticle/imaging/surface_from_labels.hpp"
 #include "corticle/io/nifti.hpp"
 #include "corticle/io/surface_reader.hpp"
+#include "corticle/simulation/label_surface.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace corticle
 {
+
+namespace
+{
+
+/// Stairs of voxels, smoothed for measuring, are waves of at most 0.06 voxels (root mean square) at any wavelength:
+/// ellipsoids of 9 to 60 voxels, upright and tilted. Waves that are not well above that are no folds.
+constexpr double least_wave_height_in_voxels = 0.15;
+
+} // namespace
 
 MaskOptions measuring_mask()
 {
@@ -20,25 +31,33 @@ MaskOptions measuring_mask()
     return mask;
 }
 
-TriangleMesh read_real_surface(const std::filesystem::path& file, const RealSurfaceOptions& options)
+RealSurfaceReading read_real_surface(const std::filesystem::path& file, const RealSurfaceOptions& options)
 {
-    TriangleMesh surface;
+    RealSurfaceReading reading;
     if (is_nifti(file))
     {
-        surface = surface_from_labels(read_nifti(file, options.mask.volume), options.mask).surface;
+        ImagedSurface imaged = read_label_surface(file, options.mask, options.coordinates, reading.notes);
+        reading.surface = std::move(imaged.surface);
+        reading.warnings = std::move(imaged.report.warnings);
+        const Vec3& edges = imaged.report.voxel_mm;
+        reading.voxel_mm = std::max({edges.x, edges.y, edges.z});
+        return reading;
     }
-    else if (!options.mask.labels.empty())
+    if (!options.mask.labels.empty())
     {
         throw InputError(fmt::format("{}: --labels is given, but this is no label volume; expected a NIfTI file, or no "
                                      "--labels",
                                      file.string()));
     }
-    else
-    {
-        surface = read_surface(file, millimetres_per(options.unit));
-    }
-    require_valid_surface(surface, file.string());
-    return surface;
+    reading.surface = read_surface(file, {millimetres_per(options.unit), options.coordinates, &reading.notes});
+    require_valid_surface(reading.surface, file.string());
+    return reading;
+}
+
+std::vector<SurfaceRow> surface_rows(const RealSurfaceReading& reading, FoldOptions options)
+{
+    options.least_wave_height_mm = least_wave_height_in_voxels * reading.voxel_mm;
+    return surface_rows(reading.surface.vertices, reading.surface.triangles, options);
 }
 
 } // namespace corticle

@@ -3,9 +3,12 @@
 
 #include "corticle/geometry/triangle_mesh.hpp"
 #include "corticle/imaging/options.hpp"
+#include "corticle/io/coordinates.hpp"
+#include "corticle/metrics/surface_rows.hpp"
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace corticle
 {
@@ -17,13 +20,26 @@ MaskOptions measuring_mask();
 /// How a real brain is read.
 struct RealSurfaceOptions
 {
-    std::string unit = "mm";             ///< of length, of surface files
+    std::string unit = "mm"; ///< of length, of surface files
+    Coordinates coordinates = Coordinates::scanner;
     MaskOptions mask = measuring_mask(); ///< of label volumes
 };
 
-/// A closed surface to be measured [mm]: a surface file as it is, or the surface of the labels of a NIfTI volume.
+/// A closed surface to be measured [mm], and what is to be known of it.
+struct RealSurfaceReading
+{
+    TriangleMesh surface;
+    double voxel_mm = 0.0;             ///< longest edge of the voxels of labels; 0: a surface file
+    std::vector<std::string> notes;    ///< transformations and the like, one line each
+    std::vector<std::string> warnings; ///< one line each
+};
+
+/// Reads a surface file as it is, or the surface of the labels of a NIfTI volume.
 /// @throws InputError for a file that cannot be read, a surface that is damaged or open, labels that are not there, and
 /// labels asked of a file that has none
-TriangleMesh read_real_surface(const std::filesystem::path& file, const RealSurfaceOptions& options);
+RealSurfaceReading read_real_surface(const std::filesystem::path& file, const RealSurfaceOptions& options);
+
+/// All measures of a real surface. The stairs of voxels are no folds: waves as low as they do not count.
+std::vector<SurfaceRow> surface_rows(const RealSurfaceReading& reading, FoldOptions options = {});
 
 } // namespace corticle

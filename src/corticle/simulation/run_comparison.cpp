@@ -66,6 +66,19 @@ bool holds_no_numbers(const NumberColumn& column)
     return std::ranges::all_of(column.values, [](double value) { return std::isnan(value); });
 }
 
+double largest_magnitude(const MeasurePair& pair)
+{
+    double largest = 0.0;
+    for (const std::vector<double>& values : pair.values)
+    {
+        for (const double value : values)
+        {
+            largest = std::isfinite(value) ? std::max(largest, std::abs(value)) : largest;
+        }
+    }
+    return largest;
+}
+
 std::vector<MeasurePair> compare_measures(const std::array<RunContents, 2>& runs, std::span<const double> times)
 {
     std::vector<MeasurePair> pairs;
@@ -84,7 +97,11 @@ std::vector<MeasurePair> compare_measures(const std::array<RunContents, 2>& runs
         {
             pair.values[0].push_back(interpolate(times_of(runs[0]), a.values, t));
             pair.values[1].push_back(interpolate(times_of(runs[1]), b->values, t));
-            pair.percent.push_back(percent_difference(pair.values[0].back(), pair.values[1].back()));
+        }
+        const double scale = largest_magnitude(pair);
+        for (std::size_t k = 0; k < times.size(); ++k)
+        {
+            pair.percent.push_back(telling_percent(pair.key, pair.values[0][k], pair.values[1][k], scale));
         }
         pairs.push_back(std::move(pair));
     }

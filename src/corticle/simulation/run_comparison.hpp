@@ -16,7 +16,10 @@ struct MeasurePair
     std::string key; ///< as in summary.json
     std::string unit;
     std::array<std::vector<double>, 2> values;
-    std::vector<double> percent; ///< 100 (b - a) / |a|
+    std::vector<double> percent; ///< telling_percent
+
+    /// The difference at a time for a table: in percent or, of shares, as it is.
+    std::string shown_difference(std::size_t time) const;
 };
 
 /// How far two runs differ at one output time.

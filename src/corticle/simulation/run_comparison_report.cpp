@@ -93,7 +93,7 @@ std::string times_table(const RunComparison& comparison)
         for (const MeasurePair* pair : shown_measures)
         {
             rows.back().push_back(fmt::format("{} / {} ({})", table_number(pair->values[0][k]),
-                                              table_number(pair->values[1][k]), table_percent(pair->percent[k])));
+                                              table_number(pair->values[1][k]), pair->shown_difference(k)));
         }
     }
     return markdown_table(header, rows);
@@ -106,7 +106,7 @@ std::string last_table(const RunComparison& comparison)
     for (const MeasurePair& pair : comparison.measures)
     {
         rows.push_back({fmt::format("`{}`", pair.key), pair.unit, table_number(pair.values[0].back()),
-                        table_number(pair.values[1].back()), table_percent(pair.percent.back())});
+                        table_number(pair.values[1].back()), pair.shown_difference(pair.percent.size() - 1)});
     }
     return markdown_table({"measure", "unit", names[0], names[1], "difference"}, rows);
 }
@@ -115,7 +115,9 @@ std::string measures_section(const RunComparison& comparison, bool has_pictures)
 {
     const auto names = name_cells(comparison);
     return fmt::format("## Measures\n\nEach cell: {} / {} (difference). Differences are those of the second run from "
-                       "the first, over the first. Times are the output times of either run that both cover; between "
+                       "the first, over the first; of shares and asymmetries they are plain differences, and "
+                       "over what is near zero there is none. Times are the output times of either run that both "
+                       "cover; between "
                        "its output times a run is interpolated linearly.\n\n",
                        names[0], names[1]) +
            times_table(comparison) + fmt::format("All measures at t = {}:\n\n", table_number(comparison.times.back())) +
@@ -207,6 +209,11 @@ Json frame_json(const FramePair& pair)
 
 } // namespace
 
+std::string MeasurePair::shown_difference(std::size_t time) const
+{
+    return is_share(key) ? table_difference(values[1][time] - values[0][time]) : table_percent(percent[time]);
+}
+
 std::string comparison_json(const RunComparison& comparison, const Pictures& pictures)
 {
     Json json;
@@ -216,8 +223,16 @@ std::string comparison_json(const RunComparison& comparison, const Pictures& pic
     json["measures"] = Json::object();
     for (const MeasurePair& pair : comparison.measures)
     {
-        json["measures"][pair.key] = {
-            {"unit", pair.unit}, {"a", pair.values[0]}, {"b", pair.values[1]}, {"difference_percent", pair.percent}};
+        std::vector<double> difference;
+        for (std::size_t k = 0; k < pair.percent.size(); ++k)
+        {
+            difference.push_back(pair.values[1][k] - pair.values[0][k]);
+        }
+        json["measures"][pair.key] = {{"unit", pair.unit},
+                                      {"a", pair.values[0]},
+                                      {"b", pair.values[1]},
+                                      {"difference", difference},
+                                      {"difference_percent", pair.percent}};
     }
     json["frames"] = Json::array();
     for (const FramePair& pair : comparison.frames)
@@ -246,7 +261,7 @@ std::string comparison_summary(const RunComparison& comparison)
         if (const MeasurePair* pair = find_measure(comparison, key))
         {
             text += fmt::format("{:<20}{:>12}{:>12}   {}\n", key, table_number(pair->values[0].back()),
-                                table_number(pair->values[1].back()), table_percent(pair->percent.back()));
+                                table_number(pair->values[1].back()), pair->shown_difference(pair->percent.size() - 1));
         }
     }
     const FramePair& last = comparison.frames.back();

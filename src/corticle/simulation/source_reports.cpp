@@ -23,6 +23,7 @@ Json mask_json(const MaskReport& report)
                               {"added_mm3", step.added_mm3},
                               {"removed_mm3", step.removed_mm3}});
     }
+    j["voxel_mm"] = {report.voxel_mm.x, report.voxel_mm.y, report.voxel_mm.z};
     j["mask_volume_mm3"] = report.mask_volume_mm3;
     j["surface_volume_mm3"] = report.surface_volume_mm3;
     j["surface_area_mm2"] = report.surface_area_mm2;
@@ -53,6 +54,13 @@ Json repair_json(const RepairReport& report)
     j["crossing_pairs"] = report.crossing_pairs;
     j["shell_volumes_mm3"] = report.shell_volumes_mm3;
     j["wrapped"] = report.wrapped;
+    if (report.wrapped)
+    {
+        j["bodies_before"] = report.bodies_before;
+        j["genus_before"] = report.genus_before;
+        j["genus_after"] = report.genus_after;
+        j["left_out_mm"] = report.left_out_mm;
+    }
     j["area_before_mm2"] = report.area_before_mm2;
     j["area_after_mm2"] = report.area_after_mm2;
     j["volume_before_mm3"] = report.volume_before_mm3;
