@@ -207,5 +207,25 @@ def maps(bench):
     bench.refused(["run", "sphere.toml", "--out", "out"], ["map.growth_file", "surface file"])
 
 
+def moved_surfaces(bench):
+    """What moves the points of a file is said, and can be turned off."""
+    ball = _surfaces.icosphere(10.0, 3)
+    data = b"\xff\xff\xfecreated by a test\n\n" + struct.pack(">2i", len(ball[0]), len(ball[1]))
+    data += b"".join(struct.pack(">3f", *vertex) for vertex in ball[0]) + b"".join(struct.pack(">3i", *t) for t in ball[1])
+    data += struct.pack(">i", 20) + (b"valid = 1\nfilename = none\nvolume = 256 256 256\nvoxelsize = 1 1 1\n"
+                                     b"xras = -1 0 0\nyras = 0 0 -1\nzras = 0 1 0\ncras = 5 -18 20\n")
+    bench.write("lh.pial", data)
+    bench.write("case.toml", FILE_CASE.format("lh.pial", ""))
+    moved = "points were moved by (5, -18, 20) mm by the volume geometry"
+    bench.check(moved in bench.accepted("prepare", "case.toml", "--out", "moved"), "prepare does not say what moved the points")
+    bench.accepted("run", "case.toml", "--out", "run", "--quiet", "--set", "time.end=0.02", "--set", "output.count=1")
+    bench.check(moved in (bench.folder / "run/run.log").read_text(), "run.log does not say what moved the points")
+    said = bench.accepted("prepare", "case.toml", "--out", "kept", "--set", "geometry.coordinates=file")
+    bench.check("taken as they are" in said, f"prepare does not say that the points were left alone: {said}")
+    for options, words in (((), moved), (("--coordinates", "file"), "taken as they are")):
+        status, _, errors = bench.call("measure", "lh.pial", *options)
+        bench.check(status == 0 and words in errors, f"measure {options}: {errors!r}")
+
+
 if __name__ == "__main__":
-    _command.main(__doc__, phantom, labels, dirty_surfaces, tets, maps)
+    _command.main(__doc__, phantom, labels, dirty_surfaces, tets, maps, moved_surfaces)
