@@ -110,4 +110,13 @@ TEST(Freesurfer, SaysWhatMovedThePointsAndCanLeaveThemAlone)
     EXPECT_THAT(notes, ElementsAre(HasSubstr("taken as they are")));
 }
 
+TEST(Freesurfer, ReadsACommentWithOneNewline)
+{
+    std::string bytes = freesurfer_surface(tetrahedron());
+    bytes.erase(bytes.find("\n\n"), 1);
+    const TriangleMesh mesh = parse_surface(bytes, "white", "lh.white");
+    EXPECT_EQ(mesh.vertices, tetrahedron().vertices);
+    EXPECT_EQ(mesh.triangles, tetrahedron().triangles);
+}
+
 } // namespace corticle

@@ -172,4 +172,19 @@ TEST(Gifti, SaysWhatMovedThePointsAndCanLeaveThemAlone)
     EXPECT_THAT(notes, ElementsAre(HasSubstr("mapped by the matrix (0 -1 0; 1 0 0; 0 0 1) and moved by (10, 20, 30)")));
 }
 
+TEST(Gifti, ReadsTrianglesOfEveryWholeType)
+{
+    const std::string good = gifti_surface(tetrahedron(), {"ASCII"});
+    for (const char* type : {"INT8", "UINT8", "INT16", "UINT16", "UINT32", "INT64", "UINT64"})
+    {
+        const std::string bytes = changed(good, "NIFTI_TYPE_INT32", std::string("NIFTI_TYPE_") + type);
+        EXPECT_EQ(parse_surface(bytes, "gii", "body").triangles, tetrahedron().triangles) << type;
+    }
+    // One number of 64 bits, 258, in base64.
+    const std::string one = "<GIFTI><DataArray Intent=\"NIFTI_INTENT_SHAPE\" DataType=\"NIFTI_TYPE_INT64\" "
+                            "Dimensionality=\"1\" Dim0=\"1\" Encoding=\"Base64Binary\" Endian=\"LittleEndian\">"
+                            "<Data>AgEAAAAAAAA=</Data></DataArray></GIFTI>";
+    EXPECT_THAT(parse_gifti(one, "a").arrays.at(0).values, ElementsAre(258.0));
+}
+
 } // namespace corticle

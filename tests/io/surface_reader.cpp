@@ -167,4 +167,63 @@ TEST(SurfaceReader, RefusesTruncatedAndForeignBytes)
     }
 }
 
+namespace
+{
+
+std::string with_every(std::string text, const std::string& from, const std::string& to)
+{
+    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    {
+        text.replace(at, from.size(), to);
+    }
+    return text;
+}
+
+} // namespace
+
+TEST(SurfaceReader, ReadsTextWithAMarkOfByteOrderAndAnyEndOfLine)
+{
+    const TriangleMesh mesh = tetrahedron();
+    for (const auto& [extension, text] : {std::pair<std::string, std::string>{"off", off_text(mesh)},
+                                          {"obj", obj_text(mesh)},
+                                          {"ply", ply_ascii(mesh)},
+                                          {"stl", stl_ascii(mesh)}})
+    {
+        for (const char* end : {"\r", "\r\n"})
+        {
+            const TriangleMesh read =
+                parse_surface("\xef\xbb\xbf" + with_every(text, "\n", end), extension, "body." + extension);
+            EXPECT_EQ(corner_positions(read), corner_positions(mesh)) << extension;
+        }
+    }
+}
+
+TEST(SurfaceReader, ReadsStlAsOthersWriteIt)
+{
+    const TriangleMesh mesh = tetrahedron();
+    const std::string text = stl_ascii(mesh);
+    std::string binary = stl_binary(mesh);
+    binary.replace(0, 5, "solid");
+    for (const std::string& bytes : {"  " + text, with_every(text, "endloop", "end loop"),
+                                     with_every(text, "endsolid", "end solid"), binary, binary + std::string(2, '\0')})
+    {
+        EXPECT_EQ(corner_positions(parse_surface(bytes, "stl", "body")), corner_positions(mesh));
+    }
+    EXPECT_THAT(refusal("stl", binary.substr(0, 100)), HasSubstr("truncated binary STL"));
+}
+
+TEST(SurfaceReader, ReadsVariantsOfOffAndPly)
+{
+    const std::string coloured =
+        "CNOFF\n3 1 0\n0 0 0 0 0 1 9 9 9 1\n1 0 0 0 0 1 9 9 9 1\n0 1 0 0 0 1 9 9 9 1\n3 0 1 2\n";
+    EXPECT_EQ(parse_surface(coloured, "off", "body").vertices[1], (Vec3{1, 0, 0}));
+    EXPECT_THAT(refusal("off", "4OFF\n3 1 0\n0 0 0 1\n1 0 0 1\n0 1 0 1\n3 0 1 2\n"), HasSubstr("got 4OFF"));
+    const TriangleMesh strips =
+        parse_surface("ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
+                      "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+                      "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n8 0 1 2 3 -1 2 3 4\n",
+                      "ply", "body");
+    EXPECT_EQ(strips.triangles, (std::vector<Triangle>{{0, 1, 2}, {2, 1, 3}, {2, 3, 4}}));
+}
+
 } // namespace corticle

@@ -114,6 +114,13 @@ TEST(TetReader, SecondOrderTetsGiveTheirCorners)
     EXPECT_EQ(notes.size(), 2u);
 }
 
+TEST(TetReader, MeditTextInQuotesHoldsAnyWord)
+{
+    const std::string titled =
+        replaced(medit_text(mesh), "Dimension\n3\n", "Dimension\n3\nIdentifier\n\"left brain, Tetrahedra of June\"\n");
+    EXPECT_EQ(parse_tets(titled, "body").tets, parse_tets(medit_text(mesh), "body").tets);
+}
+
 TEST(TetReader, NetgenFilesMayLackTheSurface)
 {
     const std::string bare = netgen.substr(0, netgen.find("2\n   1"));

@@ -128,9 +128,10 @@ void parse_freesurfer_surface(std::string_view bytes, SurfaceBuilder& surface)
                      "ff ff fe at the start");
     }
     bytes.remove_prefix(surface_magic.size());
-    std::string_view line;
-    take_line(bytes, line); // who made it
-    take_line(bytes, line); // empty
+    // Who made it, in a line that most writers end with two newlines, some with one. A second is no number: it would
+    // begin a count of 160 million.
+    bytes.remove_prefix(std::min(bytes.size(), bytes.find('\n') + 1));
+    bytes.remove_prefix(bytes.starts_with('\n') ? 1 : 0);
     const bool has_counts = bytes.size() >= 2 * sizeof(std::int32_t);
     const std::int64_t vertices = has_counts ? take<std::int32_t>(bytes) : -1;
     const std::int64_t triangles = has_counts ? take<std::int32_t>(bytes) : -1;

@@ -9,6 +9,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <utility>
+
 namespace corticle
 {
 
@@ -39,6 +43,50 @@ std::string text_of(std::string_view content)
         return std::string(content.substr(open.size(), content.size() - open.size() - close.size()));
     }
     return unescape_xml(content);
+}
+
+/// Bytes of a number of a type; 0 for one that is not read.
+std::size_t bytes_of(std::string_view type)
+{
+    constexpr std::array<std::pair<std::string_view, std::size_t>, 10> sizes{{{"NIFTI_TYPE_FLOAT32", 4},
+                                                                              {"NIFTI_TYPE_FLOAT64", 8},
+                                                                              {"NIFTI_TYPE_INT8", 1},
+                                                                              {"NIFTI_TYPE_INT16", 2},
+                                                                              {"NIFTI_TYPE_INT32", 4},
+                                                                              {"NIFTI_TYPE_INT64", 8},
+                                                                              {"NIFTI_TYPE_UINT8", 1},
+                                                                              {"NIFTI_TYPE_UINT16", 2},
+                                                                              {"NIFTI_TYPE_UINT32", 4},
+                                                                              {"NIFTI_TYPE_UINT64", 8}}};
+    const auto found = std::ranges::find(sizes, type, &std::pair<std::string_view, std::size_t>::first);
+    return found == sizes.end() ? 0 : found->second;
+}
+
+/// A number of one of these types.
+double number_of(std::string_view type, const char* at, bool big_endian)
+{
+    const auto whole = [&]<class Signed, class Unsigned>(Signed, Unsigned)
+    {
+        return type.find("UINT") == std::string_view::npos ? static_cast<double>(load<Signed>(at, big_endian))
+                                                           : static_cast<double>(load<Unsigned>(at, big_endian));
+    };
+    if (type.ends_with("FLOAT32"))
+    {
+        return static_cast<double>(load<float>(at, big_endian));
+    }
+    switch (type.ends_with("FLOAT64") ? 0 : bytes_of(type))
+    {
+    case 0:
+        return load<double>(at, big_endian);
+    case 1:
+        return whole(std::int8_t{}, std::uint8_t{});
+    case 2:
+        return whole(std::int16_t{}, std::uint16_t{});
+    case 4:
+        return whole(std::int32_t{}, std::uint32_t{});
+    default:
+        return whole(std::int64_t{}, std::uint64_t{});
+    }
 }
 
 /// How the numbers of an array are stored.
@@ -224,15 +272,11 @@ void Parser::open_array(const XmlTag& tag)
     array.intent = tag.attribute("Intent");
     count_ = take_dimensions(tag);
     storage_.type = tag.attribute("DataType");
-    const bool single = storage_.type == "NIFTI_TYPE_FLOAT32" || storage_.type == "NIFTI_TYPE_INT32";
-    storage_.bytes_per_number = single                                  ? 4
-                                : storage_.type == "NIFTI_TYPE_FLOAT64" ? 8
-                                : storage_.type == "NIFTI_TYPE_UINT8"   ? 1
-                                                                        : 0;
+    storage_.bytes_per_number = bytes_of(storage_.type);
     if (storage_.bytes_per_number == 0)
     {
         fail(fmt::format("{} has a DataType that is not read", array_name()), storage_.type,
-             "NIFTI_TYPE_FLOAT32, FLOAT64, INT32 or UINT8");
+             "NIFTI_TYPE_FLOAT32, FLOAT64, or INT or UINT of 8 to 64 bits");
     }
     storage_.encoding = tag.attribute("Encoding");
     if (storage_.encoding == "ExternalFileBinary")
@@ -315,10 +359,7 @@ std::vector<double> Parser::binary_numbers(std::string_view text, std::size_t co
     for (std::size_t i = 0; i < count; ++i)
     {
         const char* at = bytes.data() + i * storage_.bytes_per_number;
-        values[i] = storage_.type == "NIFTI_TYPE_FLOAT32"   ? static_cast<double>(load<float>(at, storage_.big_endian))
-                    : storage_.type == "NIFTI_TYPE_FLOAT64" ? load<double>(at, storage_.big_endian)
-                    : storage_.type == "NIFTI_TYPE_INT32"   ? load<std::int32_t>(at, storage_.big_endian)
-                                                            : load<std::uint8_t>(at, false);
+        values[i] = number_of(storage_.type, at, storage_.big_endian);
     }
     return values;
 }

@@ -49,9 +49,12 @@ void parse_off(std::string_view text, SurfaceBuilder& surface)
     const std::size_t bytes = text.size();
     std::string_view line = take_content(text, surface, "OFF on the first line");
     const std::string_view magic = take_word(line);
-    if (magic != "OFF" && magic != "COFF" && magic != "NOFF")
+    // Texture (ST), colours (C) and normals (N) stand behind the place; a fourth coordinate (4) or any number (n) not.
+    const std::string_view prefix = magic.substr(0, magic.find("OFF"));
+    if (!magic.ends_with("OFF") || prefix.find_first_not_of("STCN") != std::string_view::npos)
     {
-        fail_reading(surface.file(), "not an OFF file", magic, "OFF, COFF or NOFF on the first line");
+        fail_reading(surface.file(), "not an OFF file of places in space", magic,
+                     "OFF on the first line, perhaps with ST, C or N before it");
     }
     if (std::all_of(line.begin(), line.end(), is_space))
     {

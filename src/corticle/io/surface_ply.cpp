@@ -111,8 +111,8 @@ void take_record(const PlyElement& element, Numbers& numbers, std::vector<double
             continue;
         }
         const std::int64_t count = numbers.take_whole(property.count_type);
-        const bool is_polygon =
-            element.name == "face" && (property.name == "vertex_indices" || property.name == "vertex_index");
+        const bool is_polygon = (element.name == "face" || element.name == "tristrips") &&
+                                (property.name == "vertex_indices" || property.name == "vertex_index");
         for (std::int64_t i = 0; i < count; ++i)
         {
             if (is_polygon)
@@ -123,6 +123,25 @@ void take_record(const PlyElement& element, Numbers& numbers, std::vector<double
             {
                 numbers.take(property.type);
             }
+        }
+    }
+}
+
+/// Strips of triangles, each ended by -1: every vertex makes one with the two before it, of changing sense.
+void add_strips(std::span<const std::int64_t> vertices, SurfaceBuilder& surface)
+{
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+    {
+        if (vertices[i] < 0)
+        {
+            begin = i + 1;
+        }
+        else if (i >= begin + 2)
+        {
+            const bool is_even = (i - begin) % 2 == 0;
+            surface.add_polygon(
+                std::array{vertices[i - (is_even ? 2 : 1)], vertices[i - (is_even ? 1 : 2)], vertices[i]});
         }
     }
 }
@@ -169,6 +188,10 @@ void parse_ply(std::string_view text, SurfaceBuilder& surface)
             else if (element.name == "face")
             {
                 surface.add_polygon(corners);
+            }
+            else if (element.name == "tristrips")
+            {
+                add_strips(corners, surface);
             }
         }
     }

@@ -6,6 +6,7 @@
 #include "corticle/io/format_error.hpp"
 #include "corticle/io/freesurfer.hpp"
 #include "corticle/io/surface_formats.hpp"
+#include "corticle/io/text_scan.hpp"
 
 #include <fmt/format.h>
 
@@ -42,8 +43,9 @@ Parser parser_for(std::string_view bytes, const std::string& extension, const st
     {
         return parse_freesurfer_surface;
     }
-    fail_reading(name, "unknown kind of surface file", extension.empty() ? "no extension" : "." + extension,
-                 ".stl, .obj, .ply, .off, .vtp, .gii or a FreeSurfer surface");
+    fail_reading(
+        name, "unknown kind of surface file", extension.empty() ? "no extension" : "." + extension,
+        ".stl, .obj, .ply, .off, .vtp, .gii or a FreeSurfer surface (labels: .nii, .nii.gz; tets: .msh, .mesh, .vtu)");
 }
 
 TriangleMesh parse_unmerged(std::string_view bytes, const std::string& extension, const std::string& name,
@@ -51,7 +53,7 @@ TriangleMesh parse_unmerged(std::string_view bytes, const std::string& extension
 {
     const Parser parser = parser_for(bytes, extension, name);
     SurfaceBuilder builder(name, options);
-    parser(bytes, builder);
+    parser(without_byte_order_mark(bytes), builder);
     return builder.finish();
 }
 

@@ -62,7 +62,9 @@ void expect_words(std::string_view& text, std::initializer_list<std::string_view
     for (const std::string_view expected : words)
     {
         const std::string_view word = take_word(text);
-        if (!equals_ignoring_case(word, expected))
+        const bool is_parted = equals_ignoring_case(word, "end") && expected.starts_with("end"); // "end loop"
+        if (is_parted ? !equals_ignoring_case(take_word(text), expected.substr(3))
+                      : !equals_ignoring_case(word, expected))
         {
             fail_reading(surface.file(), fmt::format("facet {} is malformed", surface.triangle_count()),
                          word.empty() ? "the end of the file" : word, expected);
@@ -104,9 +106,9 @@ void parse_ascii(std::string_view bytes, SurfaceBuilder& surface)
         {
             parse_facet(text, surface);
         }
-        else if (inside && equals_ignoring_case(word, "endsolid"))
+        else if (inside && (equals_ignoring_case(word, "endsolid") || equals_ignoring_case(word, "end")))
         {
-            take_line(text, ignored);
+            take_line(text, ignored); // "solid", perhaps, and its name
             inside = false;
         }
         else
@@ -122,32 +124,43 @@ void parse_ascii(std::string_view bytes, SurfaceBuilder& surface)
     }
 }
 
+/// Text begins with the word "solid". Binary files may do so as well: their size tells them apart, or bytes that text
+/// does not hold.
+bool is_text(std::string_view bytes)
+{
+    std::string_view rest = bytes;
+    if (!equals_ignoring_case(take_word(rest).substr(0, 5), "solid"))
+    {
+        return false;
+    }
+    const bool has_size_of_binary =
+        bytes.size() >= header_size &&
+        bytes.size() == header_size + facet_size * load<std::uint32_t>(bytes.data() + header_size - 4, false);
+    return !has_size_of_binary && bytes.find('\0') == std::string_view::npos;
+}
+
 } // namespace
 
 void parse_stl(std::string_view bytes, SurfaceBuilder& surface)
 {
-    const bool announces_text = bytes.size() >= 5 && equals_ignoring_case(bytes.substr(0, 5), "solid");
-    if (bytes.size() < header_size && !announces_text)
+    if (is_text(bytes))
+    {
+        return parse_ascii(bytes, surface);
+    }
+    if (bytes.size() < header_size)
     {
         fail_reading(surface.file(), "not an STL file", fmt::format("{} bytes", bytes.size()),
                      "text that begins with solid, or at least 84 bytes");
     }
-    if (bytes.size() >= header_size)
+    const std::size_t triangles = load<std::uint32_t>(bytes.data() + header_size - 4, false);
+    const std::size_t needed = header_size + facet_size * triangles;
+    if (bytes.size() < needed)
     {
-        const std::size_t triangles = load<std::uint32_t>(bytes.data() + 80, false);
-        const std::size_t needed = header_size + facet_size * triangles;
-        // Binary files may begin with "solid" as well: their exact size tells them apart.
-        if (bytes.size() == needed || (!announces_text && bytes.size() > needed))
-        {
-            return parse_binary(bytes, triangles, surface);
-        }
-        if (!announces_text)
-        {
-            fail_reading(surface.file(), "truncated binary STL", fmt::format("{} bytes", bytes.size()),
-                         fmt::format("{} for the {} triangles it announces", needed, triangles));
-        }
+        fail_reading(surface.file(), "truncated binary STL, or text that does not begin with solid",
+                     fmt::format("{} bytes", bytes.size()),
+                     fmt::format("{} for the {} triangles it announces", needed, triangles));
     }
-    parse_ascii(bytes, surface);
+    parse_binary(bytes, triangles, surface);
 }
 
 } // namespace corticle

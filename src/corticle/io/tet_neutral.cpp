@@ -40,13 +40,24 @@ std::array<std::int64_t, 4> take_corners(NumberSource& source)
     return corners;
 }
 
-/// Takes the next word of a Medit file, past comments.
+/// Takes the rest of a text in quotes that begins with this word.
+void skip_quoted(NumberSource& source, std::string_view word)
+{
+    bool is_closed = word.size() > 1 && word.ends_with('"');
+    while (!is_closed)
+    {
+        word = source.word();
+        is_closed = word.empty() || word.ends_with('"');
+    }
+}
+
+/// Takes the next word of a Medit file, past comments and texts in quotes, which may hold any word.
 std::string_view take_keyword(NumberSource& source)
 {
     std::string_view word = source.word();
-    while (!word.empty() && word.front() == '#')
+    while (word.starts_with('#') || word.starts_with('"'))
     {
-        source.skip_line();
+        word.front() == '#' ? source.skip_line() : skip_quoted(source, word);
         word = source.word();
     }
     return word;

@@ -140,6 +140,7 @@ bool is_tet_file(const std::filesystem::path& file)
 
 TetMesh parse_tets(std::string_view bytes, const std::string& name, std::vector<std::string>* notes)
 {
+    bytes = without_byte_order_mark(bytes);
     std::string_view rest = bytes;
     std::string_view first = take_word(rest);
     while (!first.empty() && first.front() == '#')

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <cstring>
 #include <string_view>
@@ -37,20 +38,17 @@ inline bool is_blank(std::string_view text)
     return take_word(text).empty();
 }
 
-/// Takes the next line off the front of `text`, without its end ("\n", "\r\n"); false at the end.
+/// Takes the next line off the front of `text`, without its end ("\n", "\r\n", "\r"); false at the end.
 inline bool take_line(std::string_view& text, std::string_view& line)
 {
     if (text.empty())
     {
         return false;
     }
-    const std::size_t end = text.find('\n');
+    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
     line = text.substr(0, end);
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-    if (!line.empty() && line.back() == '\r')
-    {
-        line.remove_suffix(1);
-    }
+    text.remove_prefix(end);
+    text.remove_prefix(text.starts_with("\r\n") ? 2 : (text.empty() ? 0 : 1));
     return true;
 }
 
