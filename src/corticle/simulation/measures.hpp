@@ -44,8 +44,8 @@ struct Measures : SurfaceMeasures, FoldMeasures, EquilibriumMeasures
     double intersecting_triangles = 0.0; ///< of the surface, with another of its triangles (exact predicates)
     double contact_limited_share = 0.0;  ///< of all displacements of surface vertices so far: TravelLimit changed them
     double energy_contact_limit = 0.0;   ///< kinetic energy that it took so far
-    Vec3 smallest_J_place{}; ///< where J is smallest [mm at the week]; in no file, as the next
-    Vec3 overlap_place{};    ///< of the deepest overlap [mm at the week]
+    Vec3 smallest_J_place{};             ///< where J is smallest [mm at the week]; in no file, as the next
+    Vec3 overlap_place{};                ///< of the deepest overlap [mm at the week]
 };
 
 /// One column of measures.csv: key, unit, member.

@@ -3,7 +3,6 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
-#include "corticle/base/stopwatch.hpp"
 #include "corticle/base/version.hpp"
 #include "corticle/config/case_checks.hpp"
 #include "corticle/config/case_file.hpp"
@@ -11,22 +10,17 @@
 #include "corticle/io/pictures.hpp"
 #include "corticle/io/result_folder.hpp"
 #include "corticle/simulation/body_file.hpp"
-#include "corticle/simulation/frames.hpp"
 #include "corticle/simulation/interruption.hpp"
 #include "corticle/simulation/progress.hpp"
+#include "corticle/simulation/recorder.hpp"
 #include "corticle/simulation/run_files.hpp"
-#include "corticle/simulation/run_warnings.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <spdlog/sinks/basic_file_sink.h>
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 
-#include <chrono>
-#include <fstream>
 #include <future>
-#include <set>
 
 namespace corticle
 {
@@ -35,12 +29,6 @@ namespace
 {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start)
-{
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// run.log gets everything; the terminal gets warnings.
 std::shared_ptr<spdlog::logger> make_log(const fs::path& folder, bool quiet)
@@ -53,161 +41,6 @@ std::shared_ptr<spdlog::logger> make_log(const fs::path& folder, bool quiet)
     log->flush_on(spdlog::level::info);
     return log;
 }
-
-/// Wall time that earlier sessions of an interrupted run took, as its summary tells [s].
-double earlier_wall(const fs::path& folder)
-{
-    std::ifstream stream(folder / "summary.json");
-    const auto summary = nlohmann::json::parse(stream, nullptr, false);
-    return summary.is_object() ? summary.value("wall_s", 0.0) : 0.0;
-}
-
-/// The observers of a run: what is written when.
-class Recorder
-{
-  public:
-    Recorder(const RunRequest& request, ResultFolder& folder, std::string versions, std::shared_ptr<spdlog::logger> log,
-             Clock::time_point start, bool draws)
-        : request_(request), folder_(folder), case_text_(to_toml(request.options)), versions_(std::move(versions)),
-          log_(std::move(log)), start_(start), saved_at_(start), draws_(draws)
-    {
-    }
-
-    void resume(std::vector<Measures> rows, std::int64_t steps)
-    {
-        rows_ = std::move(rows);
-        first_step_ = steps;
-        wall_before_ = earlier_wall(request_.out);
-    }
-    /// Whether an output time has been recorded, in this session or an earlier one.
-    bool has(double t) const { return !rows_.empty() && rows_.back().t >= t; }
-
-    /// An output time: frame, measures, pictures, checkpoint.
-    void record(const Simulation& simulation, bool with_pictures)
-    {
-        const PhysicalScale scale = physical_scale(simulation);
-        std::vector<Mat3> F;
-        SurfaceArrays arrays;
-        {
-            const Stopwatch watch(measures_s_);
-            F = simulation.deformation_gradients();
-            arrays = surface_arrays(simulation, F, scale);
-            rows_.push_back(measure(simulation, F, arrays, scale));
-        }
-        write(simulation, std::move(F), scale, arrays, with_pictures);
-        save(simulation);
-        const Measures& row = rows_.back();
-        log_->info("t = {:.4f}: step {}, area ratio {:.4f}, sphere index {:.4f}, hull index {:.4f}, J {:.3f} to "
-                   "{:.3f}, overlap {:.5f}",
-                   row.t, simulation.state().steps, row.area_ratio, row.gi_sphere, row.gi_hull, row.J_min, row.J_max,
-                   row.overlap_area_share);
-        for (const RunWarning& warning : run_warnings(row, size_of_run(simulation)))
-        {
-            const bool is_new = warned_of_.insert(warning.kind).second;
-            log_->log(is_new ? spdlog::level::warn : spdlog::level::info, warning.text);
-        }
-    }
-
-    void save(const Simulation& simulation)
-    {
-        const Stopwatch watch(output_s_);
-        // What the checkpoint counts as written must be there after a power cut.
-        flush_names(request_.out / "pictures");
-        flush_names(request_.out);
-        write_checkpoint(request_.out / "checkpoint.h5",
-                         to_checkpoint(simulation.state(), rows_, case_text_, versions_));
-        saved_at_ = Clock::now();
-    }
-
-    void save_if_due(const Simulation& simulation)
-    {
-        if (seconds_since(saved_at_) > 60.0 * request_.options.output.checkpoint_minutes)
-        {
-            save(simulation);
-        }
-    }
-
-    void summarize(const Simulation& simulation, const std::string& status, const std::string& reason = {})
-    {
-        const Measures last = rows_.empty() ? Measures{} : rows_.back();
-        write_text_atomically(
-            request_.out / "summary.json",
-            summary_json(simulation, last, run_info(status, reason, simulation.state().steps - first_step_)));
-        log_->info("{} at t = {:.6g} after {} steps, {:.1f} s", status, simulation.state().t, simulation.state().steps,
-                   wall_before_ + seconds_since(start_));
-    }
-
-    /// The failure of a run; without a simulation one that failed before its first state.
-    void record_failure(const std::optional<Simulation>& simulation, const std::string& reason)
-    {
-        log_->info("failed: {}", reason);
-        try
-        {
-            if (simulation)
-            {
-                summarize(*simulation, "failed", reason);
-                return;
-            }
-            write_text_atomically(request_.out / "summary.json",
-                                  summary_without_state_json(run_info("failed", reason, 0)));
-        }
-        catch (const std::exception&)
-        {
-            // The disk that made the run fail has no room for the summary either; the error itself is reported.
-        }
-    }
-
-    void draw_measures()
-    {
-        if (draws_)
-        {
-            const Stopwatch watch(output_s_);
-            folder_.claim(std::array{std::string(measures_picture)});
-            render_measures(request_.out, rows_);
-        }
-    }
-
-  private:
-    RunInfo run_info(const std::string& status, const std::string& reason, std::int64_t steps) const
-    {
-        const double session = seconds_since(start_);
-        return {status,  reason, versions_,   thread_count(), wall_before_ + session,
-                session, steps,  measures_s_, output_s_};
-    }
-
-    /// Files and pictures of an output time.
-    void write(const Simulation& simulation, std::vector<Mat3> F, const PhysicalScale& scale,
-               const SurfaceArrays& arrays, bool with_pictures)
-    {
-        const Stopwatch watch(output_s_);
-        const std::string name = frame_name(rows_.size() - 1);
-        folder_.claim(frame_files(name, with_pictures && draws_));
-        Frame frame = make_frame(simulation, std::move(F), scale, name);
-        frame.sulcal_depth = arrays.folds.sulcal_depth;
-        frame.mean_curvature = arrays.folds.curvature.mean;
-        write_frame(request_.out, simulation, frame, arrays);
-        write_tables(request_.out, rows_);
-        if (with_pictures && draws_)
-        {
-            render_frame(request_.out, frame);
-        }
-    }
-
-    const RunRequest& request_;
-    ResultFolder& folder_;
-    std::string case_text_;
-    std::string versions_;
-    std::shared_ptr<spdlog::logger> log_;
-    Clock::time_point start_;
-    Clock::time_point saved_at_;
-    double wall_before_ = 0.0; ///< of earlier sessions
-    std::int64_t first_step_ = 0;
-    std::vector<Measures> rows_;
-    double measures_s_ = 0.0;
-    double output_s_ = 0.0;
-    bool draws_;
-    std::set<std::string_view> warned_of_; ///< kinds that the terminal has heard of
-};
 
 /// The loop over output times; false when interrupted.
 bool fold(Simulation& simulation, Recorder& recorder, const Options& options, bool quiet)
@@ -399,7 +232,7 @@ RunStatus record_run(const RunRequest& request, Start& start, Recorder& recorder
 
 RunStatus simulate(const RunRequest& request)
 {
-    const Clock::time_point began = Clock::now();
+    const Recorder::Clock::time_point began = Recorder::Clock::now();
     set_thread_count(request.threads);
     const std::string case_text = to_toml(request.options);
     ResultFolder folder(request.out, "run");
