@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace corticle
 {
@@ -30,6 +31,21 @@ double frobenius(const Mat3& m)
     return std::sqrt(contract(m, m));
 }
 
+/// Sum of the norms of the force on each of a fixed number of patches of neighbouring nodes. Vibrations of single
+/// nodes, the faster the finer the cloud, cancel in a patch; what moves a part of the body does not.
+double force_of_patches(std::span<const Vec3> forces)
+{
+    constexpr std::int64_t patches = 512;
+    const std::int64_t count = std::ssize(forces);
+    return parallel_sum(patches,
+                        [&](std::int64_t patch)
+                        {
+                            const auto begin = forces.begin() + patch * count / patches;
+                            const auto end = forces.begin() + (patch + 1) * count / patches;
+                            return norm(std::accumulate(begin, end, Vec3{}));
+                        });
+}
+
 } // namespace
 
 EquilibriumMeasures equilibrium_measures(const EnergyBalance& energies, double volume)
@@ -50,12 +66,10 @@ double residual_force(const Simulation& simulation, std::span<const Mat3> F)
 {
     struct Sums
     {
-        double force = 0.0;
         double stress = 0.0;
         double volume = 0.0;
     };
     const std::vector<double>& volumes = simulation.body().cloud.volumes;
-    const std::vector<Vec3>& forces = simulation.state().motion.force;
     const Sums sums = parallel_reduce(
         std::ssize(F), Sums{},
         [&](std::int64_t begin, std::int64_t end)
@@ -63,7 +77,6 @@ double residual_force(const Simulation& simulation, std::span<const Mat3> F)
             Sums part;
             for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
             {
-                part.force += norm(forces[i]);
                 part.volume += volumes[i];
                 if (determinant(F[i]) > 0.0) // the mean over inverted tets may be no deformation at all
                 {
@@ -75,12 +88,11 @@ double residual_force(const Simulation& simulation, std::span<const Mat3> F)
         },
         [](Sums& total, const Sums& part)
         {
-            total.force += part.force;
             total.stress += part.stress;
             total.volume += part.volume;
         });
     const double radius = std::cbrt(3.0 * sums.volume / (4.0 * std::numbers::pi));
-    return ratio(radius * sums.force, sums.stress, least_stress * sums.volume);
+    return ratio(radius * force_of_patches(simulation.state().motion.force), sums.stress, least_stress * sums.volume);
 }
 
 std::span<const EquilibriumColumn> equilibrium_columns()

@@ -38,7 +38,7 @@ constexpr std::array limits{
           "the cloud is coarse for these folds and acts stiffer than the tissue; more particles lower it"},
     Limit{"kinetic_share", &EquilibriumMeasures::kinetic_share, 0.10, "the kinetic energy is", "the elastic energy",
           "growth is too fast to be quasi-static; a larger solver.loading_time lowers it"},
-    Limit{"residual_force", &EquilibriumMeasures::residual_force, 0.30, "the residual force is", "the internal force",
+    Limit{"residual_force", &EquilibriumMeasures::residual_force, 0.10, "the residual force is", "the internal force",
           "the body is not in equilibrium and lags behind its growth; a larger solver.loading_time or a smaller "
           "solver.damping lowers it"},
     Limit{"dissipated_share", &EquilibriumMeasures::dissipated_share, 0.25, "drag and contact have dissipated",
