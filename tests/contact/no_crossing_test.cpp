@@ -41,7 +41,11 @@ struct Loose
         motion.force.assign(loads.begin(), loads.end());
         active += contact.evaluate(motion.x, motion.force).active;
         Motion next = motion;
-        advance(motion, masses, dt, 0.0, next);
+        if (contact.stays_apart(advance(motion, masses, dt, 0.0, next).longest))
+        {
+            motion = std::move(next);
+            return;
+        }
         std::vector<Vec3> displacements = next.v;
         for (Vec3& u : displacements)
         {

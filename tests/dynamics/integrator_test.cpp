@@ -98,6 +98,13 @@ TEST(Advance, DampingDecaysExactlyWhateverTheStep)
     EXPECT_NEAR(damped, 0.5 * 1.5 * (77.0 - squared_norm(expected)), 1e-12);
 }
 
+TEST(Advance, TellsTheLongestWay)
+{
+    const Motion motion{{Vec3{}, Vec3{}}, {Vec3{3, 0, 4}, Vec3{0, -1, 0}}, {Vec3{}, Vec3{}}};
+    Motion next = motion;
+    EXPECT_NEAR(advance(motion, std::vector{2.0, 2.0}, 0.1, 0.0, next).longest, 0.5, 1e-15);
+}
+
 TEST(Advance, EnergyBooksBalance)
 {
     Oscillator oscillator;

@@ -111,21 +111,18 @@ template <class Pair>
 void SurfaceContact::settle(Owners<Pair>& owners) const
 {
     auto& [closest, closest_of_second] = owners.closest;
-    parallel_list(std::ssize(owners.barrier), owners.repelling,
-                  [&](std::int64_t begin, std::int64_t end, std::vector<std::int32_t>& repelling)
-                  {
-                      for (std::int64_t owner = begin; owner < end; ++owner)
-                      {
-                          if (closest_of_second[owner].distance < closest[owner].distance)
-                          {
-                              closest[owner] = closest_of_second[owner];
-                          }
-                          if (closest[owner].distance < owners.barrier[owner].gap)
-                          {
-                              repelling.push_back(static_cast<std::int32_t>(owner));
-                          }
-                      }
-                  });
+    owners.repelling.clear();
+    for (std::size_t owner = 0; owner < closest.size(); ++owner)
+    {
+        if (closest_of_second[owner].distance < closest[owner].distance)
+        {
+            closest[owner] = closest_of_second[owner];
+        }
+        if (closest[owner].distance < owners.barrier[owner].gap)
+        {
+            owners.repelling.push_back(static_cast<std::int32_t>(owner));
+        }
+    }
 }
 
 /// Finds who repels what.
@@ -139,8 +136,26 @@ void SurfaceContact::find_repelling()
             task < 2 ? choose(near_.edge_edge(), half, edges_) : choose(near_.vertex_triangle(), half, vertices_);
         },
         1);
-    settle(vertices_);
-    settle(edges_);
+    parallel_both([&] { settle(edges_); }, [&] { settle(vertices_); });
+}
+
+double SurfaceContact::least_distance() const
+{
+    return std::min({vertices_.least[0], vertices_.least[1], edges_.least[0], edges_.least[1]});
+}
+
+double SurfaceContact::energy() const
+{
+    const auto of_owners = [](const auto& owners)
+    {
+        return parallel_sum(std::ssize(owners.repelling),
+                            [&](std::int64_t k)
+                            {
+                                const std::int32_t owner = owners.repelling[k];
+                                return owners.barrier[owner].energy(owners.closest[0][owner].distance);
+                            });
+    };
+    return of_owners(vertices_) + of_owners(edges_);
 }
 
 /// Works out the pushes of those who repel, to where they are wanted.
@@ -165,7 +180,7 @@ auto SurfaceContact::working_out(std::span<const Vec3> x, const Owners<Pair>& ow
                              const double distance = pairs[m].distance;
                              pushes[begin + m] = {near_.parts().vertices_of(pairs[m]), points[m].weight,
                                                   barrier.repulsion(distance) * normalized(points[m].between),
-                                                  std::sqrt(barrier.stiffness(distance)), barrier.energy(distance)};
+                                                  std::sqrt(barrier.stiffness(distance))};
                          }
                      },
                      pairs_at_a_time};
@@ -239,8 +254,6 @@ ContactResponse SurfaceContact::evaluate(std::span<const Vec3> x, std::span<Vec3
                            forces[k] += loads_[0][k].force + loads_[1][k].force;
                        }));
     response.largest_rate = largest_rate();
-    response.energy =
-        parallel_sum(response.active, [this](std::int64_t p) { return pushes_[static_cast<std::size_t>(p)].energy; });
     return response;
 }
 

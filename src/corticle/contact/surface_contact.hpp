@@ -16,7 +16,6 @@ namespace corticle
 /// What one evaluation of the contact forces tells.
 struct ContactResponse
 {
-    double energy = 0.0;     ///< sum of the barriers' energies: a potential [mu_w mm³]
     std::int64_t active = 0; ///< vertices and edges that repel
     /// Largest frequency of the vertices on the springs that their pairs are now, from above [1 / time].
     double largest_rate = 0.0;
@@ -43,12 +42,17 @@ class SurfaceContact
     /// Adds the contact forces at positions x to `forces` (both per surface vertex).
     ContactResponse evaluate(std::span<const Vec3> x, std::span<Vec3> forces);
 
+    /// Sum of the barriers at the positions last evaluated: a potential [mu_w mm³].
+    double energy() const;
+
+    /// Whether no two parts come closer than is safe where no vertex moves farther than `longest` [mm] from the
+    /// positions last evaluated.
+    bool stays_apart(double longest) const { return travel_limit_->stays_apart(near_, least_distance(), longest); }
     /// Changes displacements [mm] of vertices from the positions last evaluated where parts would come closer than is
     /// safe, see TravelLimit. @return the vertices whose displacement has changed, in ascending order
     std::span<const std::int32_t> hold_apart(std::span<Vec3> displacements)
     {
-        return travel_limit_->apply(
-            near_, std::min({vertices_.least[0], vertices_.least[1], edges_.least[0], edges_.least[1]}), displacements);
+        return travel_limit_->apply(near_, displacements);
     }
 
     /// Distance below which surfaces repel [mm].
@@ -70,7 +74,6 @@ class SurfaceContact
         std::array<double, 4> weight; ///< of the force on each vertex
         Vec3 force;                   ///< on the first part [mu_w mm²]
         double root_stiffness;
-        double energy;
     };
     /// What acts on a vertex.
     struct Load
@@ -87,6 +90,7 @@ class SurfaceContact
     void find_repelling();
     template <class Pair>
     auto working_out(std::span<const Vec3> x, const Owners<Pair>& owners, Push* pushes) const;
+    double least_distance() const;
     void add_up();
     double largest_rate() const;
 

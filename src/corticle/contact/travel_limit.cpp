@@ -4,7 +4,6 @@
 #include "corticle/base/parallel.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -34,25 +33,6 @@ Vec3 mean_of(std::span<const Vec3> vectors)
         { return std::accumulate(vectors.begin() + begin, vectors.begin() + end, Vec3{}); },
         [](Vec3& total, const Vec3& part) { total += part; });
     return sum / static_cast<double>(vectors.size());
-}
-
-/// Not NaN only if none of them is.
-double longest_of(std::span<const Vec3> vectors)
-{
-    const double squared = parallel_reduce(
-        std::ssize(vectors), 0.0,
-        [&](std::int64_t begin, std::int64_t end)
-        {
-            double longest = 0.0;
-            for (std::int64_t k = begin; k < end; ++k)
-            {
-                const double length = squared_norm(vectors[static_cast<std::size_t>(k)]);
-                longest = length <= longest ? longest : length;
-            }
-            return longest;
-        },
-        [](double& total, double part) { total = part <= total ? total : part; });
-    return std::sqrt(squared);
 }
 
 /// How far apart the vertices of both parts lie along a direction.
@@ -105,16 +85,15 @@ double TravelLimit::least_of(const EdgeEdge& pair) const
                     edge_least_[static_cast<std::size_t>(pair.second)]);
 }
 
-std::span<const std::int32_t> TravelLimit::apply(const NearPairs& near, double least_distance,
-                                                 std::span<Vec3> displacements)
+bool TravelLimit::stays_apart(const NearPairs& near, double least_distance, double longest) const
+{
+    return longest < travel_share * near.range() &&
+           least_distance - 2.0 * longest >= required_separation(least_distance, largest_least_);
+}
+
+std::span<const std::int32_t> TravelLimit::apply(const NearPairs& near, std::span<Vec3> displacements)
 {
     changed_.clear();
-    const double longest = longest_of(displacements);
-    if (longest < travel_share * near.range() &&
-        least_distance - 2.0 * longest >= required_separation(least_distance, largest_least_))
-    {
-        return changed_;
-    }
     stay_with_the_mean(displacements, travel_share * near.range());
     while (join_closing(near, displacements))
     {

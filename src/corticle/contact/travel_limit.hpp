@@ -30,10 +30,13 @@ class TravelLimit
     /// @param edge_least    of each edge from others; a pair of edges has the smaller of its two [mm]
     TravelLimit(std::vector<double> masses, std::vector<double> vertex_least, std::vector<double> edge_least);
 
-    /// Changes displacements of vertices [mm] from the positions of `near`.
+    /// Whether no pair may come too close where no vertex moves farther than `longest` [mm].
     /// @param least_distance  of all near pairs [mm]
+    bool stays_apart(const NearPairs& near, double least_distance, double longest) const;
+
+    /// Changes displacements of vertices [mm] from the positions of `near`.
     /// @return the vertices whose displacement has changed, in ascending order
-    std::span<const std::int32_t> apply(const NearPairs& near, double least_distance, std::span<Vec3> displacements);
+    std::span<const std::int32_t> apply(const NearPairs& near, std::span<Vec3> displacements);
 
   private:
     using FourVertices = std::array<std::int32_t, 4>;

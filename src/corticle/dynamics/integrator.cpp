@@ -10,7 +10,7 @@ StepEnergies advance(const Motion& from, std::span<const double> mass, double dt
 {
     const double decay = std::exp(-damping * dt);
     const auto count = static_cast<std::int64_t>(mass.size());
-    return parallel_reduce(
+    StepEnergies energies = parallel_reduce(
         count, StepEnergies{},
         [&](std::int64_t begin, std::int64_t end)
         {
@@ -20,9 +20,11 @@ StepEnergies advance(const Motion& from, std::span<const double> mass, double dt
                 const double half_mass = 0.5 * mass[i];
                 const Vec3 driven = from.v[i] + (dt / mass[i]) * from.force[i];
                 const Vec3 velocity = decay * driven;
-                const double kinetic = half_mass * squared_norm(velocity);
+                const double squared_speed = squared_norm(velocity);
+                const double kinetic = half_mass * squared_speed;
                 sum.damped += half_mass * squared_norm(driven) - kinetic;
                 sum.kinetic += kinetic;
+                sum.longest = squared_speed <= sum.longest ? sum.longest : squared_speed; // NaN stays
                 to.v[i] = velocity;
                 to.x[i] = from.x[i] + dt * velocity;
             }
@@ -32,7 +34,10 @@ StepEnergies advance(const Motion& from, std::span<const double> mass, double dt
         {
             total.kinetic += part.kinetic;
             total.damped += part.damped;
+            total.longest = part.longest <= total.longest ? total.longest : part.longest;
         });
+    energies.longest = dt * std::sqrt(energies.longest);
+    return energies;
 }
 
 } // namespace corticle

@@ -23,6 +23,7 @@ struct StepEnergies
 {
     double kinetic = 0.0; ///< at the end of the step
     double damped = 0.0;  ///< taken by the mass-proportional damping
+    double longest = 0.0; ///< way of a particle [mm]
 };
 
 /// One step of symplectic Euler with mass-proportional damping integrated exactly:

@@ -114,7 +114,7 @@ void set_energies(const Simulation& simulation, std::span<const Mat3> F, Measure
     m.energy_elastic = internal.elastic_energy;
     m.energy_kinetic = state.kinetic_energy;
     m.energy_zero_mode = internal.zero_mode_energy;
-    m.energy_contact = simulation.contact().energy;
+    m.energy_contact = simulation.contact_energy();
     m.energy_dissipated = state.books.dissipated;
     m.work_growth = state.books.growth_work;
     static_cast<EquilibriumMeasures&>(m) = equilibrium_measures(

@@ -204,7 +204,8 @@ std::optional<StepEnergies> Simulation::propose(double t, double dt)
     if (options_.dynamics.integrator == Integrator::symplectic_euler)
     {
         StepEnergies energies = advance(state_.motion, mass_, dt, damping, proposed_);
-        travel_taken_ = options_.contact.enabled ? hold_apart(dt) : TravelTaken{};
+        const bool may_cross = options_.contact.enabled && !contact_.stays_apart(energies.longest);
+        travel_taken_ = may_cross ? hold_apart(dt) : TravelTaken{};
         energies.kinetic -= travel_taken_.energy;
         return energies;
     }

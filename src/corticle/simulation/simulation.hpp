@@ -42,6 +42,7 @@ class Simulation
     const Options& options() const { return options_; }
     const InternalResponse& internal() const { return internal_; }
     const ContactResponse& contact() const { return contact_response_; }
+    double contact_energy() const { return contact_.energy(); } ///< [mu_w mm³]
     const StepSeconds& seconds() const { return seconds_; }
     double total_time() const { return total_time_; }
     /// Step the state allows now, in growth time [-].
