@@ -44,7 +44,7 @@ constexpr std::array limits{
     Limit{"dissipated_share", &EquilibriumMeasures::dissipated_share, 0.25, "drag and contact have dissipated",
           "the work of growth",
           "growth is not quasi-static; a larger solver.loading_time or a smaller solver.damping lowers it"},
-    Limit{"energy_balance_error", &EquilibriumMeasures::energy_balance_error, 0.05, "the energy balance is off by",
+    Limit{"energy_balance_error", &EquilibriumMeasures::energy_balance_error, 0.01, "the energy balance is off by",
           "the work of growth",
           "the steps make or lose energy; a smaller solver.cfl, solver.damping or contact.stiffness may lower it"}};
 
