@@ -151,6 +151,18 @@ TEST(TravelLimit, BanksThatMoveTogetherLoseNothing)
     }
 }
 
+TEST(TravelLimit, NeedsNoLookWhereNothingIsNear)
+{
+    Loose banks(test::Banks(2.0).mesh, 1.0);
+    std::vector<Vec3> forces(banks.masses.size());
+    banks.contact.evaluate(banks.motion.x, forces);
+    EXPECT_TRUE(banks.contact.stays_apart(0.1));
+    EXPECT_FALSE(banks.contact.stays_apart(0.2)); // 0.4 of 0.3 at most
+    banks.contact.evaluate(test::Banks(0.1).mesh.vertices, forces);
+    EXPECT_TRUE(banks.contact.stays_apart(0.03)); // 0.8 of 0.1 - 0.006, for both
+    EXPECT_FALSE(banks.contact.stays_apart(0.04));
+}
+
 TEST(TravelLimit, KeepsTheMomentumOfWhatItJoins)
 {
     Loose banks(test::Banks(0.01).mesh, 1.0);

@@ -84,6 +84,20 @@ TEST(Imperfection, BuiltInShapesHaveOneAndOthersDoNot)
     EXPECT_EQ(imperfection_amplitude(options), 0.0);
 }
 
+/// A run that goes on to a later end must find the growth it began with.
+TEST(Imperfection, KnowsNothingOfTheEndOfTheRun)
+{
+    Options options = test::sphere_options(2500);
+    options.imperfection.amplitude = 0.05;
+    options.tissue.thickness_rate_mm = -0.5;
+    options.time.end = 0.4;
+    const Body shorter = prepare_body(options);
+    options.time.end = 1.0;
+    const Body longer = prepare_body(options);
+    ASSERT_FALSE(shorter.tissue.regional_rate.empty());
+    EXPECT_EQ(shorter.tissue.regional_rate, longer.tissue.regional_rate);
+}
+
 TEST(Imperfection, ParticlesAndTetsGetTheSameFieldAndRestWithoutStress)
 {
     Options options = test::sphere_options(2500);

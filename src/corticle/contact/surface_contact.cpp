@@ -26,13 +26,14 @@ std::array<std::int32_t, 2> owners_of(const EdgeEdge& pair)
     return {pair.first, pair.second};
 }
 
-std::vector<double> least_separations(std::span<const Barrier> barriers)
+/// Least distances of the owners; never within round-off, also where surfaces all but touch in the reference.
+std::vector<double> least_separations(std::span<const Barrier> barriers, double range)
 {
     std::vector<double> least;
     least.reserve(barriers.size());
     for (const Barrier& barrier : barriers)
     {
-        least.push_back(barrier.least_distance());
+        least.push_back(std::max(barrier.least_distance(), 1e-9 * range));
     }
     return least;
 }
@@ -59,7 +60,8 @@ SurfaceContact::SurfaceContact(std::span<const Triangle> triangles, std::span<co
     }
     set_gaps(near_.vertex_triangle(), vertices_);
     set_gaps(near_.edge_edge(), edges_);
-    travel_limit_.emplace(masses_, least_separations(vertices_.barrier), least_separations(edges_.barrier));
+    travel_limit_.emplace(masses_, least_separations(vertices_.barrier, range),
+                          least_separations(edges_.barrier, range));
 }
 
 /// Gaps of the owners from the near pairs at rest.

@@ -81,14 +81,14 @@ double TravelLimit::least_of(const VertexTriangle& pair) const
 
 double TravelLimit::least_of(const EdgeEdge& pair) const
 {
-    return std::min(edge_least_[static_cast<std::size_t>(pair.first)],
+    return std::max(edge_least_[static_cast<std::size_t>(pair.first)],
                     edge_least_[static_cast<std::size_t>(pair.second)]);
 }
 
 bool TravelLimit::stays_apart(const NearPairs& near, double least_distance, double longest) const
 {
     return longest < travel_share * near.range() &&
-           least_distance - 2.0 * longest >= required_separation(least_distance, largest_least_);
+           2.0 * longest <= closing_share * std::max(least_distance - largest_least_, 0.0);
 }
 
 std::span<const std::int32_t> TravelLimit::apply(const NearPairs& near, std::span<Vec3> displacements)
@@ -126,7 +126,7 @@ void TravelLimit::stay_with_the_mean(std::span<Vec3> displacements, double farth
             way_[k] = farthest;
             changed_.push_back(static_cast<std::int32_t>(k));
         }
-        longest_way_ = std::max(longest_way_, way_[k]);
+        longest_way_ = way_[k] <= longest_way_ ? longest_way_ : way_[k];
     }
 }
 
@@ -162,7 +162,7 @@ bool TravelLimit::may_close(const FourVertices& vertex, const Pair& pair) const
         double& longest = way[k < size_of_first(pair) ? 0 : 1];
         longest = std::max(longest, way_[static_cast<std::size_t>(vertex[k])]);
     }
-    return pair.distance - way[0] - way[1] < required_separation(pair.distance, least_of(pair));
+    return !(pair.distance - way[0] - way[1] >= required_separation(pair.distance, least_of(pair))); // NaN too
 }
 
 /// Notes those of the near pairs whose parts would come too close.
@@ -177,7 +177,7 @@ void TravelLimit::find_closing(const NearPairs& near, const NearPairs::Blocks<Pa
         std::vector<Pair> suspects;
         for (const Pair& pair : pairs)
         {
-            if (pair.distance - 2.0 * longest_way_ < required_separation(pair.distance, least_of(pair)))
+            if (!(pair.distance - 2.0 * longest_way_ >= required_separation(pair.distance, least_of(pair))))
             {
                 const FourVertices vertex = near.parts().vertices_of(pair);
                 if (may_close(vertex, pair) && !in_one_group(vertex))

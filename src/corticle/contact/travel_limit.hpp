@@ -27,7 +27,7 @@ class TravelLimit
   public:
     /// @param masses        of the vertices
     /// @param vertex_least  least separation of each vertex from triangles [mm]
-    /// @param edge_least    of each edge from others; a pair of edges has the smaller of its two [mm]
+    /// @param edge_least    of each edge from others; a pair of edges has the larger of its two [mm]
     TravelLimit(std::vector<double> masses, std::vector<double> vertex_least, std::vector<double> edge_least);
 
     /// Whether no pair may come too close where no vertex moves farther than `longest` [mm].

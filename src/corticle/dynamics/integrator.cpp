@@ -3,6 +3,9 @@
 
 #include "corticle/base/parallel.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace corticle
 {
 
@@ -24,7 +27,7 @@ StepEnergies advance(const Motion& from, std::span<const double> mass, double dt
                 const double kinetic = half_mass * squared_speed;
                 sum.damped += half_mass * squared_norm(driven) - kinetic;
                 sum.kinetic += kinetic;
-                sum.longest = squared_speed <= sum.longest ? sum.longest : squared_speed; // NaN stays
+                sum.longest = std::max(sum.longest, squared_speed);
                 to.v[i] = velocity;
                 to.x[i] = from.x[i] + dt * velocity;
             }
@@ -34,7 +37,7 @@ StepEnergies advance(const Motion& from, std::span<const double> mass, double dt
         {
             total.kinetic += part.kinetic;
             total.damped += part.damped;
-            total.longest = part.longest <= total.longest ? total.longest : part.longest;
+            total.longest = std::max(total.longest, part.longest);
         });
     energies.longest = dt * std::sqrt(energies.longest);
     return energies;

@@ -181,21 +181,51 @@ void connect_particles(const Options& options, Body& body)
     body.particles = make_particles(body.cloud, pairs, options.tlsph);
 }
 
-/// Smallest thickness of the cortex [mm in the reference state]; where eq. 24 defines it, along the shortest semi-axis.
-double cortex_thickness(const Options& options, const Body& body)
+/// Thickness of the cortex where eq. 24 defines it, along the shortest semi-axis [mm].
+double thickness_by_lambda(const Options& options, const Body& body)
 {
-    if (options.tissue.layer == Layer::binary && options.tissue.lambda > 0.0)
+    const auto axes =
+        options.geometry.shape == "file" ? fitted_semi_axes(body.cloud.positions) : semi_axes(options.geometry);
+    return (1.0 - std::sqrt(options.tissue.lambda)) * *std::min_element(axes.begin(), axes.end());
+}
+
+bool has_layer_by_lambda(const Options& options)
+{
+    return options.tissue.layer == Layer::binary && options.tissue.lambda > 0.0;
+}
+
+/// Where the cortex is `thickness` thick by the case, in the reference state at growth time t [mm].
+double thickness_at(const Options& options, double thickness, double t)
+{
+    return (thickness + options.tissue.thickness_rate_mm * t) / thinning_size(options).scale(t);
+}
+
+/// Smallest thickness of the cortex during the run [mm in the reference state].
+double least_thickness(const Options& options, const Body& body)
+{
+    if (has_layer_by_lambda(options))
     {
-        const auto axes =
-            options.geometry.shape == "file" ? fitted_semi_axes(body.cloud.positions) : semi_axes(options.geometry);
-        return (1.0 - std::sqrt(options.tissue.lambda)) * *std::min_element(axes.begin(), axes.end());
+        return thickness_by_lambda(options, body);
     }
     const std::vector<double>& local = body.tissue.thickness;
     const double thickness =
         local.empty() ? options.tissue.thickness_mm : *std::min_element(local.begin(), local.end());
-    const auto at = [&](double t)
-    { return (thickness + options.tissue.thickness_rate_mm * t) / thinning_size(options).scale(t); };
-    return std::min(at(options.time.start), at(options.time.end));
+    return std::min(thickness_at(options, thickness, options.time.start),
+                    thickness_at(options, thickness, options.time.end));
+}
+
+/// Mean thickness of the cortex as the run begins, wherever it ends [mm in the reference state].
+double mean_thickness(const Options& options, const Body& body)
+{
+    if (has_layer_by_lambda(options))
+    {
+        return thickness_by_lambda(options, body);
+    }
+    const std::vector<double>& local = body.tissue.thickness;
+    const double thickness = local.empty()
+                                 ? options.tissue.thickness_mm
+                                 : std::accumulate(local.begin(), local.end(), 0.0) / static_cast<double>(local.size());
+    return thickness_at(options, thickness, options.time.start);
 }
 
 } // namespace
@@ -285,14 +315,14 @@ Body arrange_body(const Options& options)
 void connect_body(const Options& options, Body& body)
 {
     const std::vector<Vec3>& X = body.cloud.positions;
-    const double thickness = cortex_thickness(options, body);
-    set_regional_rate(options, thickness, X, body.tissue);
+    const double mean = mean_thickness(options, body);
+    set_regional_rate(options, mean, X, body.tissue);
     start_tissue(options, X, X, body.cloud.volumes, body.tissue);
     if (body.fem)
     {
         const TetElements& elements = body.fem->elements;
         const std::vector<Vec3> places = centroids(X, elements.tets);
-        set_regional_rate(options, thickness, places, body.fem->tissue);
+        set_regional_rate(options, mean, places, body.fem->tissue);
         start_tissue(options, X, places, elements.volume, body.fem->tissue);
     }
     else
@@ -303,6 +333,7 @@ void connect_body(const Options& options, Body& body)
     {
         body.report.warnings.push_back(warning);
     }
+    const double thickness = least_thickness(options, body);
     if (thickness < 2.0 * body.cloud.spacing)
     {
         body.report.warnings.push_back(

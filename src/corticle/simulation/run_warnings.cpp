@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 namespace corticle
@@ -80,7 +81,7 @@ void add_counts(const Measures& row, const RunSize& run, std::vector<RunWarning>
                                         "crossed",
                                         row.t, row.intersecting_triangles)});
     }
-    if (row.energy_contact_limit > most_limited * row.work_growth)
+    if (row.energy_contact_limit > most_limited * std::max(row.work_growth, 0.0))
     {
         warnings.push_back(
             {"energy_contact_limit",
@@ -104,7 +105,8 @@ void add_counts(const Measures& row, const RunSize& run, std::vector<RunWarning>
 RunSize size_of_run(const Simulation& simulation)
 {
     const Body& body = simulation.body();
-    return {simulation.options().time.start, static_cast<double>(body.cloud.positions.size()),
+    const Options& options = simulation.options();
+    return {std::max(options.time.start, options.tissue.growth_onset), static_cast<double>(body.cloud.positions.size()),
             body.fem ? static_cast<double>(body.fem->elements.tets.size()) : 0.0};
 }
 

@@ -20,8 +20,8 @@ struct RunWarning
 /// What the measures of a run are held against.
 struct RunSize
 {
-    double start_t = 0.0;
-    double nodes = 1.0; ///< particles, or nodes of tets
+    double start_t = 0.0; ///< at which growth sets in [t]
+    double nodes = 1.0;   ///< particles, or nodes of tets
     double elements = 0.0;
 };
 RunSize size_of_run(const Simulation& simulation);
