@@ -106,8 +106,7 @@ std::span<const std::int32_t> TravelLimit::apply(const NearPairs& near, std::spa
     changed_.insert(changed_.end(), grouped_.begin(), grouped_.end());
     grouped_.clear();
     std::ranges::sort(changed_);
-    const auto repeated = std::ranges::unique(changed_);
-    changed_.erase(repeated.begin(), repeated.end());
+    changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
     return changed_;
 }
 
@@ -239,8 +238,7 @@ bool TravelLimit::join_closing(const NearPairs& near, std::span<const Vec3> disp
 void TravelLimit::move_together(std::span<Vec3> displacements)
 {
     std::ranges::sort(grouped_);
-    const auto repeated = std::ranges::unique(grouped_);
-    grouped_.erase(repeated.begin(), repeated.end());
+    grouped_.erase(std::unique(grouped_.begin(), grouped_.end()), grouped_.end());
     for (const std::int32_t vertex : grouped_)
     {
         of_group_[static_cast<std::size_t>(vertex)] = {};

@@ -46,7 +46,7 @@ std::int64_t intersecting_triangles(const TriangleMesh& surface)
         triangles.push_back(second);
     }
     std::ranges::sort(triangles);
-    return std::ranges::unique(triangles).begin() - triangles.begin();
+    return std::unique(triangles.begin(), triangles.end()) - triangles.begin();
 }
 
 } // namespace corticle
