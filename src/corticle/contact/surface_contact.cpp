@@ -14,8 +14,6 @@ namespace corticle
 namespace
 {
 
-constexpr double edge_share = 1.0; ///< stiffness of an edge over the mean of its ends
-
 /// Those who repel the other part if the pair is their closest: the vertex of a triangle, or both edges.
 std::array<std::int32_t, 1> owners_of(const VertexTriangle& pair)
 {
@@ -56,7 +54,7 @@ SurfaceContact::SurfaceContact(std::span<const Triangle> triangles, std::span<co
     }
     for (const auto& [a, b] : near_.parts().edges())
     {
-        edges_.barrier.push_back(barrier(edge_share * 0.5 * (masses_[a] + masses_[b])));
+        edges_.barrier.push_back(barrier(0.5 * (masses_[a] + masses_[b])));
     }
     set_gaps(near_.vertex_triangle(), vertices_);
     set_gaps(near_.edge_edge(), edges_);

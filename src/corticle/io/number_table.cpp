@@ -17,19 +17,6 @@ namespace corticle
 namespace
 {
 
-std::string_view trimmed(std::string_view text)
-{
-    while (!text.empty() && is_space(text.front()))
-    {
-        text.remove_prefix(1);
-    }
-    while (!text.empty() && is_space(text.back()))
-    {
-        text.remove_suffix(1);
-    }
-    return text;
-}
-
 NumberColumn column_of(std::string_view title)
 {
     const std::size_t bracket = title.find('[');

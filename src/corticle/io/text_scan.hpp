@@ -32,6 +32,20 @@ inline std::string_view take_word(std::string_view& text)
     return word;
 }
 
+/// Without white space at either end.
+inline std::string_view trimmed(std::string_view text)
+{
+    while (!text.empty() && is_space(text.front()))
+    {
+        text.remove_prefix(1);
+    }
+    while (!text.empty() && is_space(text.back()))
+    {
+        text.remove_suffix(1);
+    }
+    return text;
+}
+
 /// True when there is nothing but white space.
 inline bool is_blank(std::string_view text)
 {

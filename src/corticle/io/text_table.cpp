@@ -14,19 +14,6 @@ namespace corticle
 namespace
 {
 
-std::string_view without_blanks(std::string_view text)
-{
-    while (!text.empty() && is_space(text.front()))
-    {
-        text.remove_prefix(1);
-    }
-    while (!text.empty() && is_space(text.back()))
-    {
-        text.remove_suffix(1);
-    }
-    return text;
-}
-
 /// The line with what stands in quotes taken out.
 std::string outside_quotes(std::string_view line)
 {
@@ -43,7 +30,7 @@ std::string outside_quotes(std::string_view line)
 /// What separates the cells of a line; 0 for one cell.
 char separator_of(std::string_view line)
 {
-    const std::string outside = outside_quotes(without_blanks(line));
+    const std::string outside = outside_quotes(trimmed(line));
     for (const char c : {';', '\t', ',', ' '})
     {
         if (outside.find(c) != std::string::npos)
@@ -108,7 +95,7 @@ class Cutter
         {
             const auto end = std::ranges::find_if(line, [&](char c) { return separates(c); });
             const std::string_view taken = line.substr(0, static_cast<std::size_t>(end - line.begin()));
-            cell = without_blanks(taken);
+            cell = trimmed(taken);
             line.remove_prefix(taken.size());
         }
         skip_blanks();
@@ -178,7 +165,7 @@ TextTable parse_text_table(std::string_view text, const std::string& name)
     std::string_view line;
     for (std::int64_t number = 1; take_line(text, line); ++number)
     {
-        if (is_blank(line) || without_blanks(line).front() == '#')
+        if (is_blank(line) || trimmed(line).front() == '#')
         {
             continue;
         }

@@ -136,7 +136,8 @@ Measures measure(const Simulation& simulation, std::span<const Mat3> F, const Su
 {
     const Body& body = simulation.body();
     const State& state = simulation.state();
-    const std::vector<Vec3> x = scaled(simulation.surface_positions(), scale.length);
+    const std::vector<Vec3> unscaled = simulation.surface_positions();
+    const std::vector<Vec3> x = scaled(unscaled, scale.length);
     const SurfaceMeasures now = measure_surface(x, body.cloud.surface_triangles);
     const double area_0 = surface_area(body.surface.vertices, body.surface.triangles);
     const double volume_0 = enclosed_volume(body.surface.vertices, body.surface.triangles);
@@ -164,8 +165,7 @@ Measures measure(const Simulation& simulation, std::span<const Mat3> F, const Su
     m.extrapolated_elements = static_cast<double>(simulation.internal().extrapolated_count);
     m.inverted_elements = static_cast<double>(simulation.internal().inverted_count);
     m.contact_pairs = static_cast<double>(simulation.contact().active);
-    m.intersecting_triangles =
-        static_cast<double>(intersecting_triangles({simulation.surface_positions(), body.cloud.surface_triangles}));
+    m.intersecting_triangles = static_cast<double>(intersecting_triangles({unscaled, body.cloud.surface_triangles}));
     m.contact_limited_share =
         static_cast<double>(state.travel_taken.vertex_steps) /
         (static_cast<double>(std::max<std::int64_t>(state.steps, 1)) * static_cast<double>(x.size()));
