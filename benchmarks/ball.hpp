@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "corticle/base/random.hpp"
 #include "corticle/cloud/neighbors.hpp"
-#include "corticle/cloud/space_filling_curve.hpp"
 #include "corticle/geometry/cell_grid.hpp"
-#include "corticle/geometry/random.hpp"
-#include "corticle/tissue/tissue.hpp"
-#include "corticle/tlsph/particles.hpp"
+#include "corticle/material/tissue.hpp"
+#include "corticle/mechanics/tlsph/particles.hpp"
+#include "corticle/mesh/space_filling_curve.hpp"
 
 #include <algorithm>
 #include <cmath>

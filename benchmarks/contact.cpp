@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "benchmarks/counters.hpp"
 #include "benchmarks/folds.hpp"
-#include "corticle/contact/surface_contact.hpp"
+#include "corticle/mechanics/contact/surface_contact.hpp"
 
 namespace corticle::bench
 {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/simulation/body.hpp"
-#include "corticle/simulation/discretization.hpp"
-#include "corticle/simulation/simulation.hpp"
+#include "corticle/config/options.hpp"
+#include "corticle/model/discretization.hpp"
+#include "corticle/model/simulation.hpp"
+#include "corticle/prepare/body.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -16,7 +17,7 @@ Body sphere_of_tets(std::int64_t tets, Options& options)
     options.elements = tets;
     options.tissue.layer = Layer::binary;
     options.tissue.lambda = 0.75;
-    return prepare_body(options);
+    return prepare_body(options).body;
 }
 
 void by_tets(benchmark::internal::Benchmark* made)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/tlsph/pair_law.hpp"
+#include "corticle/mechanics/tlsph/pair_law.hpp"
 
 // What the two passes read, write and compute, counted off tlsph/pair_law.hpp and tlsph/solver.cpp. To be kept in step
 // with them, and with the table of docs/performance.md.

@@ -2,7 +2,7 @@
 #include "benchmarks/ball.hpp"
 #include "benchmarks/counters.hpp"
 #include "benchmarks/pair_model.hpp"
-#include "corticle/tlsph/solver.hpp"
+#include "corticle/mechanics/tlsph/solver.hpp"
 
 #include <chrono>
 #include <limits>

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "benchmarks/counters.hpp"
 #include "corticle/config/case_file.hpp"
-#include "corticle/simulation/checkpointing.hpp"
-#include "corticle/simulation/frames.hpp"
-#include "corticle/simulation/simulation.hpp"
+#include "corticle/config/options.hpp"
+#include "corticle/model/simulation.hpp"
+#include "corticle/prepare/body.hpp"
+#include "corticle/record/checkpointing.hpp"
+#include "corticle/record/frames.hpp"
 
 #include <chrono>
 #include <cstdlib>
@@ -24,7 +26,7 @@ struct StandardSphere
         options.tissue.lambda = 0.75;
         options.geometry.particles = particles;
         const auto start = std::chrono::steady_clock::now();
-        body = prepare_body(options);
+        body = prepare_body(options).body;
         preparation_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         simulation = std::make_unique<Simulation>(body, options);
     }

@@ -5,7 +5,7 @@
 
 #include "corticle/config/case_checks.hpp"
 #include "corticle/config/case_file.hpp"
-#include "corticle/simulation/run_folder.hpp"
+#include "corticle/study/run_folder.hpp"
 
 #include <fmt/format.h>
 

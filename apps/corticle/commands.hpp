@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/simulation/comparison.hpp"
-#include "corticle/simulation/sweep.hpp"
+#include "corticle/study/comparison.hpp"
+#include "corticle/study/sweep/sweep.hpp"
 
 #include <filesystem>
 #include <optional>

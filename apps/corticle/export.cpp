@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands.hpp"
 
-#include "corticle/simulation/export.hpp"
+#include "corticle/study/export.hpp"
 
 #include <fmt/format.h>
 

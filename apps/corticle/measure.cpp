@@ -3,7 +3,7 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/metrics/surface_rows.hpp"
-#include "corticle/simulation/point_surface.hpp"
+#include "corticle/study/point_surface.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -3,8 +3,8 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/config/starter.hpp"
+#include "corticle/formats/volumes/nifti.hpp"
 #include "corticle/imaging/phantom.hpp"
-#include "corticle/io/nifti.hpp"
 
 #include <fmt/format.h>
 

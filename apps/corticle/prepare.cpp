@@ -3,8 +3,8 @@
 
 #include "corticle/config/case_file.hpp"
 #include "corticle/config/case_inputs.hpp"
-#include "corticle/simulation/interruption.hpp"
-#include "corticle/simulation/preparation_folder.hpp"
+#include "corticle/study/interruption.hpp"
+#include "corticle/study/preparation_folder.hpp"
 
 #include <fmt/format.h>
 

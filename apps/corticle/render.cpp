@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands.hpp"
 
-#include "corticle/simulation/run_pictures.hpp"
+#include "corticle/view/run_pictures.hpp"
 
 namespace corticle
 {

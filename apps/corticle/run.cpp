@@ -5,8 +5,8 @@
 
 #include "corticle/config/case_file.hpp"
 #include "corticle/config/case_inputs.hpp"
-#include "corticle/simulation/interruption.hpp"
-#include "corticle/simulation/run_folder.hpp"
+#include "corticle/study/interruption.hpp"
+#include "corticle/study/run_folder.hpp"
 
 namespace corticle
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands.hpp"
 
-#include "corticle/simulation/interruption.hpp"
+#include "corticle/study/interruption.hpp"
 
 namespace corticle
 {

@@ -2,7 +2,7 @@
 #include "corticle/cloud/division_normals.hpp"
 
 #include "corticle/base/error.hpp"
-#include "corticle/geometry/random.hpp"
+#include "corticle/base/random.hpp"
 #include "corticle/geometry/shapes.hpp"
 
 #include <gtest/gtest.h>

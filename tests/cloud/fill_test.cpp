@@ -5,8 +5,8 @@
 #include "corticle/base/parallel.hpp"
 #include "corticle/cloud/cell_volumes.hpp"
 #include "corticle/cloud/quality.hpp"
-#include "corticle/cloud/space_filling_curve.hpp"
 #include "corticle/geometry/shapes.hpp"
+#include "corticle/mesh/space_filling_curve.hpp"
 #include "geometry/simple_surfaces.hpp"
 
 #include <gtest/gtest.h>

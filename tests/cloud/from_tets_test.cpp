@@ -5,8 +5,8 @@
 #include "corticle/base/parallel.hpp"
 #include "corticle/cloud/neighbors.hpp"
 #include "corticle/cloud/quality.hpp"
-#include "corticle/cloud/space_filling_curve.hpp"
-#include "corticle/tlsph/particles.hpp"
+#include "corticle/mechanics/tlsph/particles.hpp"
+#include "corticle/mesh/space_filling_curve.hpp"
 #include "geometry/simple_tets.hpp"
 
 #include <gmock/gmock.h>

@@ -3,8 +3,8 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
+#include "corticle/base/random.hpp"
 #include "corticle/cloud/fill.hpp"
-#include "corticle/geometry/random.hpp"
 #include "corticle/geometry/shapes.hpp"
 #include "geometry/simple_surfaces.hpp"
 

@@ -3,8 +3,8 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
+#include "corticle/base/random.hpp"
 #include "corticle/geometry/point_tree.hpp"
-#include "corticle/geometry/random.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include "corticle/base/error.hpp"
 #include "corticle/config/case_file.hpp"
 #include "corticle/config/case_inputs.hpp"
-#include "corticle/config/sweep_runs.hpp"
-#include "io/temporary_folder.hpp"
+#include "corticle/study/sweep/sweep_runs.hpp"
+#include "formats/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/config/case_file.hpp"
-#include "corticle/tissue/thickness_presets.hpp"
+#include "corticle/material/thickness_presets.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "corticle/base/error.hpp"
 #include "corticle/config/case_checks.hpp"
 #include "corticle/config/case_file.hpp"
-#include "corticle/simulation/run_files.hpp"
+#include "corticle/record/run_files.hpp"
 
 #include <gtest/gtest.h>
 

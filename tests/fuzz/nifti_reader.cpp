@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Feeds damaged NIfTI files to the reader: plain, damaged after compression, and before it. Usage: nifti_reader
 // [seconds].
-#include "corticle/io/nifti.hpp"
+#include "corticle/formats/volumes/nifti.hpp"
 
+#include "formats/volumes/nifti_samples.hpp"
 #include "fuzz/reader_fuzz.hpp"
-#include "io/nifti_samples.hpp"
 
 namespace corticle
 {

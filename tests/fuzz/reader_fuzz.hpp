@@ -2,7 +2,7 @@
 #pragma once
 
 #include "corticle/base/error.hpp"
-#include "io/temporary_folder.hpp"
+#include "formats/temporary_folder.hpp"
 
 #include <chrono>
 #include <cstdio>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Feeds damaged maps on surfaces to the reader. Usage: surface_map [seconds].
-#include "corticle/io/surface_map.hpp"
+#include "corticle/formats/surfaces/surface_map.hpp"
 
-#include "corticle/io/vtk_files.hpp"
+#include "corticle/formats/vtk_files.hpp"
+#include "formats/gifti_samples.hpp"
 #include "fuzz/reader_fuzz.hpp"
-#include "io/gifti_samples.hpp"
 
 namespace corticle
 {

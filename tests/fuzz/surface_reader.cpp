@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Feeds damaged surface files to the reader. Usage: surface_reader [seconds].
-#include "corticle/io/surface_reader.hpp"
+#include "corticle/formats/surfaces/surface_reader.hpp"
 
-#include "corticle/io/vtk_files.hpp"
+#include "corticle/formats/vtk_files.hpp"
+#include "formats/gifti_samples.hpp"
 #include "fuzz/reader_fuzz.hpp"
-#include "io/gifti_samples.hpp"
 
 namespace corticle
 {

@@ -3,7 +3,7 @@
 // Usage: sweep_parser [SECONDS [SEED]]
 
 #include "corticle/base/error.hpp"
-#include "corticle/config/sweep_file.hpp"
+#include "corticle/study/sweep/sweep_file.hpp"
 
 #include <algorithm>
 #include <chrono>

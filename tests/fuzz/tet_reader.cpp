@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Feeds damaged tet meshes to the reader, and what it accepts to the repair. Usage: tet_reader [seconds].
-#include "corticle/io/tet_reader.hpp"
+#include "corticle/formats/tets/tet_reader.hpp"
 
+#include "corticle/formats/vtk_files.hpp"
 #include "corticle/geometry/validate_tets.hpp"
-#include "corticle/io/vtk_files.hpp"
+#include "formats/tets/tet_samples.hpp"
 #include "fuzz/reader_fuzz.hpp"
 #include "geometry/simple_tets.hpp"
-#include "io/tet_samples.hpp"
 
 namespace corticle
 {

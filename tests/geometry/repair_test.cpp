@@ -3,7 +3,7 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
-#include "corticle/geometry/random.hpp"
+#include "corticle/base/random.hpp"
 #include "corticle/geometry/shapes.hpp"
 #include "corticle/geometry/validate.hpp"
 #include "geometry/simple_surfaces.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/geometry/surface_tree.hpp"
 
-#include "corticle/geometry/random.hpp"
+#include "corticle/base/random.hpp"
 #include "corticle/geometry/shapes.hpp"
 #include "corticle/geometry/triangle_tests.hpp"
 #include "geometry/simple_surfaces.hpp"

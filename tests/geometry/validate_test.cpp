@@ -2,7 +2,7 @@
 #include "corticle/geometry/validate.hpp"
 
 #include "corticle/base/error.hpp"
-#include "corticle/geometry/random.hpp"
+#include "corticle/base/random.hpp"
 #include "geometry/simple_surfaces.hpp"
 
 #include <gmock/gmock.h>

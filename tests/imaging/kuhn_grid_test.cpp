@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/imaging/kuhn_grid.hpp"
 
-#include "corticle/geometry/random.hpp"
+#include "corticle/base/random.hpp"
 #include "corticle/geometry/validate.hpp"
 #include "corticle/imaging/distance_transform.hpp"
 #include "corticle/imaging/homotopic_growth.hpp"

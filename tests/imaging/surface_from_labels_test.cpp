@@ -4,8 +4,8 @@
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
 #include "corticle/geometry/validate.hpp"
+#include "formats/temporary_folder.hpp"
 #include "imaging/label_shapes.hpp"
-#include "io/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -5,21 +5,23 @@ import re
 
 from _project import finish, parse_arguments
 
-ORDER = (
-    "base geometry imaging cloud tissue tlsph thesis fem contact dynamics metrics io config simulation".split()
-)
+ORDER = """
+base mesh material dynamics mechanics mechanics/tlsph mechanics/fem mechanics/contact mechanics/thesis model
+geometry imaging cloud metrics formats formats/surfaces formats/volumes formats/tets prepare config record view
+study study/sweep
+""".split()
 INCLUDE = re.compile(r'^\s*#\s*include\s*["<]corticle/([^"<>]+)[">]', re.MULTILINE)
 RELATIVE = re.compile(r'^\s*#\s*include\s*"(?!corticle/)([^"]+)"', re.MULTILINE)
 
 
 def check(path, library):
-    folder = path.relative_to(library).parts[0]
+    folder = path.parent.relative_to(library).as_posix()
     if folder not in ORDER:
         yield f"{path}: folder '{folder}' has no place in the order {' '.join(ORDER)}"
         return
     text = path.read_text(encoding="utf-8")
     for match in INCLUDE.finditer(text):
-        other = match.group(1).split("/")[0]
+        other = match.group(1).rpartition("/")[0]
         where = f"{path}:{text.count(chr(10), 0, match.start(1)) + 1}"
         if other not in ORDER:
             yield f"{where}: includes unknown folder '{other}'"

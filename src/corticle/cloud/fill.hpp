@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/cloud/cloud.hpp"
 #include "corticle/cloud/cloud_options.hpp"
 #include "corticle/geometry/surface_tree.hpp"
+#include "corticle/mesh/cloud.hpp"
 
 namespace corticle
 {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/cloud/cloud.hpp"
 #include "corticle/geometry/remesh.hpp"
-#include "corticle/geometry/tet_mesh.hpp"
+#include "corticle/mesh/cloud.hpp"
+#include "corticle/mesh/tet_mesh.hpp"
 
 #include <optional>
 #include <string>

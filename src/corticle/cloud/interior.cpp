@@ -3,7 +3,7 @@
 
 #include "corticle/base/box.hpp"
 #include "corticle/base/parallel.hpp"
-#include "corticle/geometry/random.hpp"
+#include "corticle/base/random.hpp"
 #include "corticle/geometry/repulsion.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/cloud/ordered_cloud.hpp"
 
-#include "corticle/cloud/space_filling_curve.hpp"
+#include "corticle/mesh/space_filling_curve.hpp"
 
 #include <cmath>
 

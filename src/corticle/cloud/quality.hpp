@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/cloud/cloud.hpp"
+#include "corticle/mesh/cloud.hpp"
 
 namespace corticle
 {

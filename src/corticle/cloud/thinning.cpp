@@ -3,10 +3,10 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
-#include "corticle/cloud/space_filling_curve.hpp"
+#include "corticle/base/random.hpp"
 #include "corticle/geometry/cell_grid.hpp"
 #include "corticle/geometry/point_tree.hpp"
-#include "corticle/geometry/random.hpp"
+#include "corticle/mesh/space_filling_curve.hpp"
 
 #include <fmt/format.h>
 

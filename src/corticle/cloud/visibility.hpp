@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/cloud/cloud.hpp"
 #include "corticle/geometry/surface_tree.hpp"
+#include "corticle/mesh/cloud.hpp"
 
 namespace corticle
 {

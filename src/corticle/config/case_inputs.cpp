@@ -3,7 +3,7 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/config/parameters.hpp"
-#include "corticle/io/sha256.hpp"
+#include "corticle/formats/sha256.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "corticle/config/parameters.hpp"
-#include "corticle/tissue/thickness_presets.hpp"
+#include "corticle/material/thickness_presets.hpp"
 
 #include <algorithm>
 #include <stdexcept>

@@ -184,7 +184,7 @@ std::vector<Parameter> imperfection_parameters()
                       "grow from; not given: 0 for a body from a file, whose shape is imperfect enough, and for "
                       "the thesis's formulation.",
                       CORTICLE_MEMBER(imperfection.amplitude)),
-            imperfection_amplitude),
+            [](const Options& options) { return imperfection_amplitude(options); }),
         parameter("imperfection.seed", "", at_least(0.0), "Seed of that field.", CORTICLE_MEMBER(imperfection.seed)),
         parameter("imperfection.shortest", "thicknesses", between(1.0, 1000.0),
                   "Its shortest wavelength, in thicknesses of the cortex.", CORTICLE_MEMBER(imperfection.shortest)),

@@ -16,10 +16,6 @@
 namespace corticle
 {
 
-/// Particles of a case that gives neither geometry.particles nor geometry.spacing_mm.
-inline constexpr std::int64_t default_particles = 45000;
-inline constexpr std::int64_t fewest_particles = 500;
-inline constexpr std::int64_t most_particles = 100'000'000;
 inline constexpr std::int64_t fewest_elements = 2500;
 inline constexpr std::int64_t most_elements = 500'000'000;
 

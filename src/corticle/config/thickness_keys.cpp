@@ -2,7 +2,7 @@
 #include "corticle/config/thickness_keys.hpp"
 
 #include "corticle/base/error.hpp"
-#include "corticle/tissue/thickness_presets.hpp"
+#include "corticle/material/thickness_presets.hpp"
 
 #include <fmt/format.h>
 

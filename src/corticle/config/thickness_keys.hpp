@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/tissue/options.hpp"
+#include "corticle/material/options.hpp"
 
 #include <functional>
 #include <string>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/dynamics/loading.hpp"
 
-#include "corticle/tissue/layer_stability.hpp"
-#include "corticle/tissue/tissue.hpp"
+#include "corticle/material/layer_stability.hpp"
+#include "corticle/material/tissue.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "corticle/dynamics/options.hpp"
-#include "corticle/tissue/options.hpp"
+#include "corticle/material/options.hpp"
 
 namespace corticle
 {

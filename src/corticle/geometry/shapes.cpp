@@ -3,9 +3,9 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
+#include "corticle/base/random.hpp"
 #include "corticle/geometry/delaunay_flips.hpp"
 #include "corticle/geometry/hull.hpp"
-#include "corticle/geometry/random.hpp"
 #include "corticle/geometry/repulsion.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "corticle/base/error.hpp"
-#include "corticle/geometry/triangle_mesh.hpp"
+#include "corticle/mesh/triangle_mesh.hpp"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/geometry/tet_mesh.hpp"
+#include "corticle/mesh/tet_mesh.hpp"
 
 namespace corticle
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/geometry/triangle_mesh.hpp"
 #include "corticle/imaging/voxel_grid.hpp"
+#include "corticle/mesh/triangle_mesh.hpp"
 
 #include <span>
 

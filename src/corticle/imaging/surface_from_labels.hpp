@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/geometry/triangle_mesh.hpp"
 #include "corticle/imaging/label_volume.hpp"
 #include "corticle/imaging/mask_report.hpp"
 #include "corticle/imaging/options.hpp"
+#include "corticle/mesh/triangle_mesh.hpp"
 
 namespace corticle
 {

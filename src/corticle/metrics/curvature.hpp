@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/geometry/triangle_mesh.hpp"
+#include "corticle/mesh/triangle_mesh.hpp"
 
 namespace corticle
 {

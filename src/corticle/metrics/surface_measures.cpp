@@ -58,11 +58,6 @@ std::span<const SizeColumn> size_columns()
     return columns;
 }
 
-double sphere_index(double area, double volume)
-{
-    return area / (std::cbrt(std::numbers::pi) * std::pow(6.0 * volume, 2.0 / 3.0));
-}
-
 SurfaceMeasures measure_surface(std::span<const Vec3> vertices, std::span<const Triangle> triangles)
 {
     SurfaceMeasures m;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/geometry/triangle_mesh.hpp"
+#include "corticle/mesh/triangle_mesh.hpp"
 
 #include <string_view>
 
@@ -32,9 +32,6 @@ struct SizeColumn
     double SurfaceMeasures::*value;
 };
 std::span<const SizeColumn> size_columns();
-
-/// Area over the area of the sphere that encloses the same volume.
-double sphere_index(double area, double volume);
 
 /// How much of a surface lies inside another part of the body.
 struct Overlap

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/formats/volumes/nifti_header.hpp"
+
+namespace corticle
+{
+
+/// The fields of a header of either kind and byte order.
+class NiftiFields
+{
+  public:
+    /// @throws InputError for what is no header of NIfTI-1 or -2, or a truncated one
+    NiftiFields(InflatingStream& stream, const std::string& name);
+
+    const std::string& file() const { return name_; }
+    const NiftiLayout& layout() const { return layout_; }
+    bool swapped() const { return swapped_; }
+
+    /// Element k of an integer field; 64 bits in NIfTI-2 where `wide`.
+    std::int64_t integer(std::size_t offset, std::size_t k = 0) const
+    {
+        return layout_.wide ? number_at<std::int64_t>(&bytes_[offset + 8 * k], swapped_)
+                            : number_at<std::int16_t>(&bytes_[offset + 2 * k], swapped_);
+    }
+    double real(std::size_t offset, std::size_t k = 0) const
+    {
+        return layout_.wide ? number_at<double>(&bytes_[offset + 8 * k], swapped_)
+                            : static_cast<double>(number_at<float>(&bytes_[offset + 4 * k], swapped_));
+    }
+    std::int64_t code(std::size_t offset) const
+    {
+        return layout_.wide ? number_at<std::int32_t>(&bytes_[offset], swapped_)
+                            : number_at<std::int16_t>(&bytes_[offset], swapped_);
+    }
+    std::int64_t datatype() const { return number_at<std::int16_t>(&bytes_[layout_.datatype], swapped_); }
+    std::int64_t units() const
+    {
+        return layout_.wide ? number_at<std::int32_t>(&bytes_[layout_.units], swapped_)
+                            : static_cast<unsigned char>(bytes_[layout_.units]);
+    }
+    double vox_offset() const
+    {
+        return layout_.wide ? static_cast<double>(integer(layout_.vox_offset)) : real(layout_.vox_offset);
+    }
+
+  private:
+    bool find_layout();
+    std::string first_bytes() const;
+    void require_magic() const;
+
+    const std::string& name_;
+    std::array<char, 540> bytes_{};
+    NiftiLayout layout_{};
+    bool swapped_ = false;
+};
+
+} // namespace corticle

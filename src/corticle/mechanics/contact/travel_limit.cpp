@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/mechanics/contact/travel_limit.hpp"
+
+#include "corticle/base/parallel.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace corticle
+{
+
+namespace
+{
+
+constexpr double travel_share = 0.4;  ///< of the range of near pairs, for each of two parts
+constexpr double closing_share = 0.8; ///< of the separation above the least
+
+constexpr std::size_t size_of_first(const VertexTriangle&)
+{
+    return 1;
+}
+constexpr std::size_t size_of_first(const EdgeEdge&)
+{
+    return 2;
+}
+
+Vec3 mean_of(std::span<const Vec3> vectors)
+{
+    const Vec3 sum = parallel_reduce(
+        std::ssize(vectors), Vec3{},
+        [&](std::int64_t begin, std::int64_t end)
+        { return std::accumulate(vectors.begin() + begin, vectors.begin() + end, Vec3{}); },
+        [](Vec3& total, const Vec3& part) { total += part; });
+    return sum / static_cast<double>(vectors.size());
+}
+
+/// How far apart the vertices of both parts lie along a direction.
+/// @param position  of one of the four vertices, by its number in the surface
+template <class Position>
+double separation_along(const Vec3& direction, const std::array<std::int32_t, 4>& vertex, std::size_t first_size,
+                        const Position& position)
+{
+    double lowest_of_first = std::numeric_limits<double>::infinity();
+    double highest_of_second = -lowest_of_first;
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+        const double height = dot(direction, position(static_cast<std::size_t>(vertex[k])));
+        if (k < first_size)
+        {
+            lowest_of_first = std::min(lowest_of_first, height);
+        }
+        else
+        {
+            highest_of_second = std::max(highest_of_second, height);
+        }
+    }
+    return lowest_of_first - highest_of_second;
+}
+
+/// The separation that a step must leave.
+double required_separation(double now, double least)
+{
+    return now - closing_share * std::max(now - least, 0.0);
+}
+
+} // namespace
+
+TravelLimit::TravelLimit(std::vector<double> masses, std::vector<double> vertex_least, std::vector<double> edge_least)
+    : masses_(std::move(masses)), vertex_least_(std::move(vertex_least)), edge_least_(std::move(edge_least)),
+      largest_least_(std::max(*std::ranges::max_element(vertex_least_), *std::ranges::max_element(edge_least_))),
+      way_(masses_.size()), parent_(masses_.size()), of_group_(masses_.size())
+{
+    std::iota(parent_.begin(), parent_.end(), 0);
+}
+
+double TravelLimit::least_of(const VertexTriangle& pair) const
+{
+    return vertex_least_[static_cast<std::size_t>(pair.vertex)];
+}
+
+double TravelLimit::least_of(const EdgeEdge& pair) const
+{
+    return std::max(edge_least_[static_cast<std::size_t>(pair.first)],
+                    edge_least_[static_cast<std::size_t>(pair.second)]);
+}
+
+bool TravelLimit::stays_apart(const NearPairs& near, double least_distance, double longest) const
+{
+    return longest < travel_share * near.range() &&
+           2.0 * longest <= closing_share * std::max(least_distance - largest_least_, 0.0);
+}
+
+std::span<const std::int32_t> TravelLimit::apply(const NearPairs& near, std::span<Vec3> displacements)
+{
+    changed_.clear();
+    stay_with_the_mean(displacements, travel_share * near.range());
+    while (join_closing(near, displacements))
+    {
+        move_together(displacements);
+    }
+    for (const std::int32_t vertex : grouped_)
+    {
+        parent_[static_cast<std::size_t>(vertex)] = vertex;
+    }
+    changed_.insert(changed_.end(), grouped_.begin(), grouped_.end());
+    grouped_.clear();
+    std::ranges::sort(changed_);
+    changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
+    return changed_;
+}
+
+/// No displacement differs from their mean by more than `farthest`.
+void TravelLimit::stay_with_the_mean(std::span<Vec3> displacements, double farthest)
+{
+    mean_ = mean_of(displacements);
+    longest_way_ = 0.0;
+    for (std::size_t k = 0; k < displacements.size(); ++k)
+    {
+        const Vec3 beside = displacements[k] - mean_;
+        way_[k] = norm(beside);
+        if (way_[k] > farthest)
+        {
+            displacements[k] = mean_ + (farthest / way_[k]) * beside;
+            way_[k] = farthest;
+            changed_.push_back(static_cast<std::int32_t>(k));
+        }
+        longest_way_ = way_[k] <= longest_way_ ? longest_way_ : way_[k];
+    }
+}
+
+std::int32_t TravelLimit::group_of(std::int32_t vertex) const
+{
+    while (parent_[static_cast<std::size_t>(vertex)] != vertex)
+    {
+        vertex = parent_[static_cast<std::size_t>(vertex)];
+    }
+    return vertex;
+}
+
+bool TravelLimit::in_one_group(const FourVertices& vertex) const
+{
+    const std::int32_t group = group_of(vertex[0]);
+    return std::all_of(vertex.begin() + 1, vertex.end(), [&](std::int32_t v) { return group_of(v) == group; });
+}
+
+void TravelLimit::join(std::int32_t a, std::int32_t b)
+{
+    const std::int32_t first = group_of(a);
+    const std::int32_t second = group_of(b);
+    parent_[static_cast<std::size_t>(std::max(first, second))] = std::min(first, second);
+}
+
+/// False where the lengths of the displacements alone say that a pair keeps apart.
+template <class Pair>
+bool TravelLimit::may_close(const FourVertices& vertex, const Pair& pair) const
+{
+    std::array<double, 2> way{};
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+        double& longest = way[k < size_of_first(pair) ? 0 : 1];
+        longest = std::max(longest, way_[static_cast<std::size_t>(vertex[k])]);
+    }
+    return !(pair.distance - way[0] - way[1] >= required_separation(pair.distance, least_of(pair))); // NaN too
+}
+
+/// Notes those of the near pairs whose parts would come too close.
+template <class Pair>
+void TravelLimit::find_closing(const NearPairs& near, const NearPairs::Blocks<Pair>& blocks,
+                               std::span<const Vec3> displacements)
+{
+    const std::size_t blocks_before = closing_.size();
+    closing_.resize(blocks_before + blocks.size());
+    const auto find = [&](const std::vector<Pair>& pairs, std::vector<FourVertices>& found)
+    {
+        std::vector<Pair> suspects;
+        for (const Pair& pair : pairs)
+        {
+            if (!(pair.distance - 2.0 * longest_way_ >= required_separation(pair.distance, least_of(pair))))
+            {
+                const FourVertices vertex = near.parts().vertices_of(pair);
+                if (may_close(vertex, pair) && !in_one_group(vertex))
+                {
+                    suspects.push_back(pair);
+                }
+            }
+        }
+        std::vector<ClosestPoints> points(suspects.size());
+        const std::span<const Vec3> x = near.positions();
+        near.parts().locate(x, suspects, points);
+        for (std::size_t k = 0; k < suspects.size(); ++k)
+        {
+            const FourVertices vertex = near.parts().vertices_of(suspects[k]);
+            const Vec3 direction = normalized(points[k].between);
+            const std::size_t first = size_of_first(suspects[k]);
+            const double now = separation_along(direction, vertex, first, [&](std::size_t i) { return x[i]; });
+            const double then =
+                separation_along(direction, vertex, first, [&](std::size_t i) { return x[i] + displacements[i]; });
+            // Written so that a NaN counts as closing.
+            if (!(now > 0.0 && then >= required_separation(now, least_of(suspects[k]))))
+            {
+                found.push_back(vertex);
+            }
+        }
+    };
+    parallel_blocks(
+        std::ssize(blocks),
+        [&](std::int64_t block, std::int64_t)
+        { find(blocks[static_cast<std::size_t>(block)], closing_[blocks_before + static_cast<std::size_t>(block)]); },
+        1);
+}
+
+/// Joins the vertices of pairs that would come too close. @return whether there are any
+bool TravelLimit::join_closing(const NearPairs& near, std::span<const Vec3> displacements)
+{
+    closing_.clear();
+    find_closing(near, near.vertex_triangle(), displacements);
+    find_closing(near, near.edge_edge(), displacements);
+    if (grouped_.empty())
+    {
+        wanted_.assign(displacements.begin(), displacements.end());
+    }
+    bool any = false;
+    for_each_of(closing_,
+                [&](const FourVertices& vertex)
+                {
+                    any = true;
+                    for (const std::int32_t v : vertex)
+                    {
+                        join(vertex[0], v);
+                        grouped_.push_back(v);
+                    }
+                });
+    return any;
+}
+
+/// Gives every group the mean displacement of its vertices, weighted with their masses.
+void TravelLimit::move_together(std::span<Vec3> displacements)
+{
+    std::ranges::sort(grouped_);
+    grouped_.erase(std::unique(grouped_.begin(), grouped_.end()), grouped_.end());
+    for (const std::int32_t vertex : grouped_)
+    {
+        of_group_[static_cast<std::size_t>(vertex)] = {};
+    }
+    for (const std::int32_t vertex : grouped_)
+    {
+        Moving& group = of_group_[static_cast<std::size_t>(group_of(vertex))];
+        group.mass += masses_[static_cast<std::size_t>(vertex)];
+        group.moment += masses_[static_cast<std::size_t>(vertex)] * wanted_[static_cast<std::size_t>(vertex)];
+    }
+    for (const std::int32_t vertex : grouped_)
+    {
+        const Moving& group = of_group_[static_cast<std::size_t>(group_of(vertex))];
+        displacements[static_cast<std::size_t>(vertex)] = group.moment / group.mass;
+        way_[static_cast<std::size_t>(vertex)] = norm(displacements[static_cast<std::size_t>(vertex)] - mean_);
+    }
+}
+
+} // namespace corticle

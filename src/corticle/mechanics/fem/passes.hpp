@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/base/parallel.hpp"
+#include "corticle/material/tissue.hpp"
+#include "corticle/mechanics/discretization.hpp"
+#include "corticle/mechanics/fem/elements.hpp"
+
+#include <algorithm>
+
+// The two sweeps over the tets of one chunk: volumes of its nodes, then forces on them. Each writes only its chunk's
+// part of a buffer.
+
+namespace corticle
+{
+
+/// Volume of a node, or the part of it that one chunk of tets gives: sums of a quarter of the adjacent tets.
+struct alignas(32) NodalVolume
+{
+    double current = 0.0; ///< [mm³]
+    double grown = 0.0;   ///< sum of J_g V / 4 [mm³]
+    double bulk = 0.0;    ///< sum of K J_g V / 4 [mu_w mm³]
+    double lane = 0.0;    ///< fills the register
+};
+
+/// What the volume ratio Ja of a node gives to its tets.
+struct alignas(32) NodalPressure
+{
+    double pressure = 0.0; ///< K U'(Ja) [mu_w]
+    double density = 0.0;  ///< U(Ja) [-]
+    double work = 0.0;     ///< K U'(Ja) Ja [mu_w]
+    double lane = 0.0;     ///< fills the register
+};
+
+/// One chunk of tets, with its part of the buffers.
+struct Chunk
+{
+    const TetElements& elements;
+    const Tissue& tissue;
+    double t;
+    std::int64_t begin, end;             ///< tets
+    std::span<const std::int32_t> nodes; ///< that it touches
+    std::int64_t first_part;             ///< where their parts start
+
+    /// @param first, last  tets, parallel_block of them or the last ones
+    Chunk(const TetElements& all, const Tissue& of_tets, double now, std::int64_t first, std::int64_t last)
+        : elements(all), tissue(of_tets), t(now), begin(first), end(last)
+    {
+        const std::int64_t c = first / parallel_block;
+        first_part = all.chunk_begin[c];
+        nodes = std::span(all.chunk_node).subspan(first_part, all.chunk_begin[c + 1] - first_part);
+    }
+
+    const TetBlock& block_of(std::int64_t first) const { return elements.blocks[first / wide_lanes]; }
+};
+
+/// Parts of the volumes of the chunk's nodes. The first for growth that Tissue::grows_plainly.
+void plain_volumes(const Chunk& chunk, const Vec3* x, NodalVolume* parts);
+void general_volumes(const Chunk& chunk, const Vec3* x, NodalVolume* parts);
+
+/// Parts of the forces on the chunk's nodes, the lane with the stiffness of BlockResponse. Adds to `sum` what the tets
+/// give: deviatoric energy, growth power, counts, the smallest J.
+/// @param values  of all nodes
+void plain_forces(const Chunk& chunk, const Vec3* x, const NodalPressure* values, Vec3* parts, InternalResponse& sum);
+void general_forces(const Chunk& chunk, const Vec3* x, const NodalPressure* values, Vec3* parts, InternalResponse& sum);
+
+} // namespace corticle

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/mechanics/thesis/ellipsoid.hpp"
+
+#include "corticle/base/box.hpp"
+#include "corticle/base/error.hpp"
+
+#include <fmt/format.h>
+
+namespace corticle
+{
+
+namespace
+{
+
+Box box_of(std::span<const Vec3> points)
+{
+    if (points.empty())
+    {
+        throw InputError("layer: an ellipsoid fitted to particles; got no particles, expected at least two");
+    }
+    return bounding_box(points);
+}
+
+} // namespace
+
+Vec3 extents_centre(std::span<const Vec3> points)
+{
+    return box_of(points).center();
+}
+
+std::array<double, 3> fitted_semi_axes(std::span<const Vec3> points)
+{
+    const Vec3 size = box_of(points).size();
+    std::array<double, 3> semi_axes{};
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        semi_axes[axis] = 0.5 * size[axis];
+        if (!(semi_axes[axis] > 0.0))
+        {
+            throw InputError(fmt::format("layer: an ellipsoid fitted to {} particles: got an extent of {} mm along {}; "
+                                         "expected a positive one",
+                                         points.size(), 2.0 * semi_axes[axis], "xyz"[axis]));
+        }
+    }
+    return semi_axes;
+}
+
+double ellipsoid_level(const Vec3& X, const std::array<double, 3>& semi_axes, const Vec3& centre)
+{
+    const Vec3 r = X - centre;
+    return squared_norm(Vec3{r.x / semi_axes[0], r.y / semi_axes[1], r.z / semi_axes[2]});
+}
+
+std::vector<double> ellipsoid_layer_by_centres(std::span<const Vec3> positions, const std::array<double, 3>& semi_axes,
+                                               double lambda, const Vec3& centre)
+{
+    std::vector<double> theta;
+    theta.reserve(positions.size());
+    for (const Vec3& X : positions)
+    {
+        theta.push_back(ellipsoid_level(X, semi_axes, centre) >= lambda ? 1.0 : 0.0);
+    }
+    return theta;
+}
+
+} // namespace corticle

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/mechanics/tlsph/particles.hpp"
+
+#include "corticle/base/error.hpp"
+#include "corticle/base/parallel.hpp"
+#include "corticle/mechanics/tlsph/kernel.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+namespace corticle
+{
+
+namespace
+{
+
+/// Eigenvalues of a symmetric matrix by the trigonometric formula (Smith 1961), largest first.
+std::array<double, 3> symmetric_eigenvalues(const Mat3& a)
+{
+    const double mean = trace(a) / 3.0;
+    const Mat3 d = a - mean * Mat3::identity();
+    const double p = std::sqrt(contract(d, d) / 6.0);
+    if (p == 0.0)
+    {
+        return {mean, mean, mean};
+    }
+    const double r = std::clamp(determinant((1.0 / p) * d) / 2.0, -1.0, 1.0);
+    const double angle = std::acos(r) / 3.0;
+    const double high = mean + 2.0 * p * std::cos(angle);
+    const double low = mean + 2.0 * p * std::cos(angle + 2.0 * std::numbers::pi / 3.0);
+    return {high, 3.0 * mean - high - low, low};
+}
+
+void require_well_conditioned(const Particles& particles, std::span<const double> condition)
+{
+    std::size_t worst = 0;
+    std::int64_t bad = 0;
+    for (std::size_t i = 0; i < condition.size(); ++i)
+    {
+        worst = condition[i] > condition[worst] ? i : worst;
+        bad += condition[i] > largest_condition ? 1 : 0;
+    }
+    if (bad > 0)
+    {
+        const Vec3& X = particles.X[worst];
+        throw InputError(fmt::format("cloud: ill-conditioned shape matrix at {} of {} particles, worst particle {} at "
+                                     "({:.4g}, {:.4g}, {:.4g}) mm "
+                                     "with {} neighbours: got condition {:.3g}, expected at most {}; use a finer "
+                                     "spacing or a larger solver.support",
+                                     bad, particles.X.size(), worst, X.x, X.y, X.z, particles.pairs.size(worst),
+                                     condition[worst], largest_condition));
+    }
+}
+
+} // namespace
+
+double condition_number(const Mat3& symmetric)
+{
+    const auto eigenvalues = symmetric_eigenvalues(symmetric);
+    return eigenvalues[2] > 0.0 ? eigenvalues[0] / eigenvalues[2] : std::numeric_limits<double>::infinity();
+}
+
+Particles make_particles(const Cloud& cloud, const Neighbors& neighbors, const TlsphOptions& options)
+{
+    Particles particles{cloud.positions, cloud.volumes, make_pair_blocks(neighbors), {}, {}, options, cloud.spacing};
+    const std::size_t count = particles.X.size();
+    const double support = support_mm(options, cloud.spacing);
+    particles.correction.resize(count);
+    particles.weighted_sum.resize(count);
+    std::vector<double> condition(count);
+    parallel_for(std::ssize(particles.X),
+                 [&](std::int64_t i)
+                 {
+                     Mat3 shape;
+                     Vec3 sum;
+                     double weights = 0.0;
+                     for (std::int64_t k = neighbors.begin[i]; k < neighbors.begin[i + 1]; ++k)
+                     {
+                         const std::int32_t j = neighbors.index[k];
+                         const Vec3 X_ij = particles.X[j] - particles.X[i];
+                         const double volumes = particles.volume[i] * particles.volume[j];
+                         const auto rounded = static_cast<float>(volumes * pair_weight(norm(X_ij), support));
+                         particles.pairs.weight[k] = rounded;
+                         const auto w = static_cast<double>(rounded);
+                         shape += w * outer(X_ij, X_ij);
+                         sum += w * X_ij;
+                         weights += w;
+                     }
+                     condition[i] = condition_number(shape);
+                     particles.correction[i] = inverse(shape);
+                     sum.lane = weights;
+                     particles.weighted_sum[i] = sum;
+                 });
+    require_well_conditioned(particles, condition);
+    return particles;
+}
+
+} // namespace corticle

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/base/parallel.hpp"
+#include "corticle/material/tissue.hpp"
+#include "corticle/mechanics/discretization.hpp"
+#include "corticle/mechanics/tlsph/pair_law.hpp"
+#include "corticle/mechanics/tlsph/particles.hpp"
+
+namespace corticle
+{
+
+/// Total-Lagrangian SPH: internal forces of the particles for given positions and growth time.
+/// Particles are nodes and material points at once.
+class TlsphSolver final : public Discretization
+{
+  public:
+    /// Keeps references to both: they must outlive the solver.
+    TlsphSolver(const Particles& particles, const Tissue& tissue);
+
+    InternalResponse evaluate(std::span<const Vec3> x, double t, std::span<Vec3> forces) override;
+
+    std::vector<Mat3> deformation_gradients(std::span<const Vec3> x) const override;
+
+    std::string diagnosis(std::int64_t node, std::span<const Vec3> x) const override;
+
+  private:
+    const Particles& particles_;
+    const Tissue& tissue_;
+    LargeVector<ForceRecord> records_;
+    PerThread<std::vector<PairTerms>> terms_; ///< of the block at hand
+};
+
+} // namespace corticle

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/model/simulation.hpp"
+
+#include <span>
+#include <string_view>
+
+namespace corticle
+{
+
+/// How near to equilibrium a run is and how well its energies add up. Energies that are zero within rounding, as at
+/// rest, have no shares: all are then 0.
+struct EquilibriumMeasures
+{
+    double zero_mode_share = 0.0;      ///< zero-energy control over elastic energy
+    double kinetic_share = 0.0;        ///< kinetic over elastic energy
+    double dissipated_share = 0.0;     ///< dissipated over the work of growth
+    double energy_balance_error = 0.0; ///< |work of growth - stored - dissipated| over the larger of the two
+    double residual_force = 0.0;       ///< see residual_force()
+};
+
+/// Energies of a run now, and what it has put in and lost since its start [mu_w mm³].
+struct EnergyBalance
+{
+    double elastic = 0.0;
+    double zero_mode = 0.0;
+    double kinetic = 0.0;
+    double contact = 0.0;
+    double dissipated = 0.0;
+    double growth_work = 0.0;
+};
+
+/// The shares of the energies. @param volume  of the body at rest [mm³], the scale of what rounding makes of nothing
+EquilibriumMeasures equilibrium_measures(const EnergyBalance& energies, double volume);
+
+/// Force left over, against the stress that should hold it: R sum |f_p| / sum V_i |P_i|, with f_p the force (tissue and
+/// contact, without drag) on the nodes of one of 512 patches, V_i and P_i the volume and the first Piola-Kirchhoff
+/// stress of node i, and R the radius of the sphere of the body's volume. 0 in equilibrium, about 1 where inertia or
+/// drag carries the load instead of the tissue, whatever the resolution. 0 where there is no stress but rounding.
+double residual_force(const Simulation& simulation, std::span<const Mat3> F);
+
+/// One column of files: key, member. All are pure numbers.
+struct EquilibriumColumn
+{
+    std::string_view key;
+    double EquilibriumMeasures::*value;
+};
+std::span<const EquilibriumColumn> equilibrium_columns();
+
+} // namespace corticle

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/metrics/measures.hpp"
+
+#include "corticle/base/error.hpp"
+#include "corticle/geometry/self_intersections.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+
+namespace corticle
+{
+
+namespace
+{
+
+constexpr double probe_in_spacings = 1e-4;
+
+constexpr std::array first_columns{
+    MeasureColumn{"t", "-", &Measures::t},
+    MeasureColumn{"week", "weeks", &Measures::week},
+    MeasureColumn{"length_scale", "-", &Measures::length_scale},
+    MeasureColumn{"steps", "-", &Measures::steps},
+    MeasureColumn{"rejected_steps", "-", &Measures::rejected_steps},
+    MeasureColumn{"area_ratio", "-", &Measures::area_ratio},
+    MeasureColumn{"volume_ratio", "-", &Measures::volume_ratio},
+    MeasureColumn{"thickness_mean_mm", "mm", &Measures::thickness_mean_mm},
+    MeasureColumn{"fold_wavelength_reference_mm", "mm", &Measures::fold_wavelength_reference_mm},
+    MeasureColumn{"fold_degree", "-", &Measures::fold_degree},
+    MeasureColumn{"J_min", "-", &Measures::J_min},
+    MeasureColumn{"J_mean", "-", &Measures::J_mean},
+    MeasureColumn{"J_max", "-", &Measures::J_max},
+    MeasureColumn{"energy_elastic", "mu_w mm3", &Measures::energy_elastic},
+    MeasureColumn{"energy_kinetic", "mu_w mm3", &Measures::energy_kinetic},
+    MeasureColumn{"energy_zero_mode", "mu_w mm3", &Measures::energy_zero_mode},
+    MeasureColumn{"energy_contact", "mu_w mm3", &Measures::energy_contact},
+    MeasureColumn{"energy_dissipated", "mu_w mm3", &Measures::energy_dissipated},
+    MeasureColumn{"work_growth", "mu_w mm3", &Measures::work_growth},
+    MeasureColumn{"overlap_area_share", "-", &Measures::overlap_area_share},
+    MeasureColumn{"max_penetration_mm", "mm", &Measures::max_penetration_mm},
+    MeasureColumn{"barrier_particles", "-", &Measures::barrier_particles},
+    MeasureColumn{"extrapolated_elements", "-", &Measures::extrapolated_elements},
+    MeasureColumn{"inverted_elements", "-", &Measures::inverted_elements},
+    MeasureColumn{"contact_pairs", "-", &Measures::contact_pairs},
+    MeasureColumn{"intersecting_triangles", "-", &Measures::intersecting_triangles},
+    MeasureColumn{"contact_limited_share", "-", &Measures::contact_limited_share},
+    MeasureColumn{"energy_contact_limit", "mu_w mm3", &Measures::energy_contact_limit},
+};
+
+std::vector<MeasureColumn> all_columns()
+{
+    std::vector<MeasureColumn> columns(first_columns.begin(), first_columns.end());
+    for (const EquilibriumColumn& column : equilibrium_columns())
+    {
+        columns.push_back({column.key, "-", column.value});
+    }
+    for (const SizeColumn& column : size_columns())
+    {
+        columns.push_back({column.key, column.unit, column.value});
+    }
+    for (const FoldColumn& column : fold_columns())
+    {
+        columns.push_back({column.key, column.unit, column.value});
+    }
+    return columns;
+}
+
+std::string header()
+{
+    std::string line;
+    for (const MeasureColumn& column : measure_columns())
+    {
+        line += fmt::format("{}{} [{}]", line.empty() ? "" : ",", column.key, column.unit);
+    }
+    return line + "\n";
+}
+
+double area_mean(std::span<const double> values, std::span<const double> areas)
+{
+    const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
+    return std::inner_product(values.begin(), values.end(), areas.begin(), 0.0) / area;
+}
+
+/// det F over the nodes.
+void set_volume_ratios(const Body& body, std::span<const Mat3> F, Measures& m)
+{
+    m.J_min = determinant(F[0]);
+    m.J_max = m.J_min;
+    double weighted = 0.0;
+    double volume = 0.0;
+    for (std::size_t i = 0; i < F.size(); ++i)
+    {
+        const double J = determinant(F[i]);
+        m.J_min = std::min(m.J_min, J);
+        m.J_max = std::max(m.J_max, J);
+        weighted += body.cloud.volumes[i] * J;
+        volume += body.cloud.volumes[i];
+    }
+    m.J_mean = weighted / volume;
+}
+
+double reference_volume(const Body& body)
+{
+    return std::accumulate(body.cloud.volumes.begin(), body.cloud.volumes.end(), 0.0);
+}
+
+void set_energies(const Simulation& simulation, std::span<const Mat3> F, Measures& m)
+{
+    const State& state = simulation.state();
+    const InternalResponse& internal = simulation.internal();
+    m.energy_elastic = internal.elastic_energy;
+    m.energy_kinetic = state.kinetic_energy;
+    m.energy_zero_mode = internal.zero_mode_energy;
+    m.energy_contact = simulation.contact_energy();
+    m.energy_dissipated = state.books.dissipated;
+    m.work_growth = state.books.growth_work;
+    static_cast<EquilibriumMeasures&>(m) = equilibrium_measures(
+        {m.energy_elastic, m.energy_zero_mode, m.energy_kinetic, m.energy_contact, m.energy_dissipated, m.work_growth},
+        reference_volume(simulation.body()));
+    m.residual_force = residual_force(simulation, F);
+}
+
+} // namespace
+
+std::span<const MeasureColumn> measure_columns()
+{
+    static const std::vector<MeasureColumn> columns = all_columns();
+    return columns;
+}
+
+Measures measure(const Simulation& simulation, std::span<const Mat3> F, const SurfaceArrays& arrays,
+                 const PhysicalScale& scale)
+{
+    const Body& body = simulation.body();
+    const State& state = simulation.state();
+    const std::vector<Vec3> unscaled = simulation.surface_positions();
+    const std::vector<Vec3> x = scaled(unscaled, scale.length);
+    const SurfaceMeasures now = measure_surface(x, body.cloud.surface_triangles);
+    const double area_0 = surface_area(body.surface.vertices, body.surface.triangles);
+    const double volume_0 = enclosed_volume(body.surface.vertices, body.surface.triangles);
+    const Overlap overlap =
+        measure_overlap(x, body.cloud.surface_triangles, probe_in_spacings * body.cloud.spacing * scale.length);
+
+    const ReferenceFolds waves = reference_folds(simulation);
+
+    Measures m{now, measure_folds(x, body.cloud.surface_triangles, arrays.folds, fold_options(body, scale)), {}};
+    m.t = state.t;
+    m.week = scale.week;
+    m.length_scale = scale.length;
+    m.steps = static_cast<double>(state.steps);
+    m.rejected_steps = static_cast<double>(state.rejected_steps);
+    m.area_ratio = now.area_mm2 / (area_0 * std::pow(scale.length, 2));
+    m.volume_ratio = now.volume_mm3 / (volume_0 * std::pow(scale.length, 3));
+    m.thickness_mean_mm = area_mean(arrays.thickness, vertex_areas(x, body.cloud.surface_triangles));
+    m.fold_wavelength_reference_mm = waves.wavelength_mm;
+    m.fold_degree = waves.degree;
+    set_volume_ratios(body, F, m);
+    set_energies(simulation, F, m);
+    m.overlap_area_share = overlap.area_share;
+    m.max_penetration_mm = overlap.deepest_penetration;
+    m.barrier_particles = static_cast<double>(simulation.internal().barrier_count);
+    m.extrapolated_elements = static_cast<double>(simulation.internal().extrapolated_count);
+    m.inverted_elements = static_cast<double>(simulation.internal().inverted_count);
+    m.contact_pairs = static_cast<double>(simulation.contact().active);
+    m.intersecting_triangles = static_cast<double>(intersecting_triangles({unscaled, body.cloud.surface_triangles}));
+    m.contact_limited_share =
+        static_cast<double>(state.travel_taken.vertex_steps) /
+        (static_cast<double>(std::max<std::int64_t>(state.steps, 1)) * static_cast<double>(x.size()));
+    m.energy_contact_limit = state.travel_taken.energy;
+    m.smallest_J_place = scale.length * simulation.place_of_smallest_J();
+    m.overlap_place = overlap.place;
+    return m;
+}
+
+std::string measures_csv(std::span<const Measures> rows)
+{
+    std::string text = header();
+    for (const Measures& row : rows)
+    {
+        std::string_view separator;
+        for (const MeasureColumn& column : measure_columns())
+        {
+            text += fmt::format("{}{:.17g}", separator, row.*column.value);
+            separator = ",";
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+std::vector<Measures> parse_measures_csv(std::string_view text, const std::string& name)
+{
+    const std::string expected = header();
+    if (!text.starts_with(expected))
+    {
+        throw InputError(fmt::format("{}: not a table of measures written by this version", name));
+    }
+    std::vector<Measures> rows;
+    const char* at = text.data() + expected.size();
+    const char* const end = text.data() + text.size();
+    while (at < end)
+    {
+        Measures row;
+        for (const MeasureColumn& column : measure_columns())
+        {
+            const auto [next, error] = std::from_chars(at, end, row.*column.value);
+            if (error != std::errc{} || next == end)
+            {
+                throw InputError(
+                    fmt::format("{}: line {}: bad number in column {}", name, rows.size() + 2, column.key));
+            }
+            at = next + 1; // the comma or the end of the line
+        }
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+} // namespace corticle

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/metrics/surface_arrays.hpp"
+
+#include "corticle/metrics/cortical_thickness.hpp"
+#include "corticle/metrics/spectrum.hpp"
+#include "corticle/metrics/spherical_harmonics.hpp"
+
+namespace corticle
+{
+
+namespace
+{
+
+constexpr int largest_degree = 30;
+constexpr double roundness = 0.01;              ///< largest deviation of a sphere's radius, over the radius
+constexpr double least_wave_per_spacing = 0.01; ///< amplitude below which a surface counts as flat
+
+/// Where theta is 1/2 below each surface vertex, in the reference configuration [mm]: at the depth H(t)/s(t) along the
+/// normal, or on the similar ellipsoid of eq. 24.
+std::vector<Vec3> cortex_boundary(const Body& body, double t)
+{
+    const TissueOptions& tissue = body.tissue.options;
+    const bool similar = tissue.layer == Layer::binary && tissue.lambda > 0.0;
+    const double scale = body.tissue.size.scale(t);
+    std::vector<Vec3> boundary;
+    boundary.reserve(body.surface.vertices.size());
+    for (std::size_t v = 0; v < body.surface.vertices.size(); ++v)
+    {
+        const Vec3 X = body.surface.vertices[v];
+        const auto particle = static_cast<std::size_t>(body.cloud.surface_particles[v]);
+        const double thickness = body.tissue.thickness_at(particle, t) / scale;
+        boundary.push_back(similar ? std::sqrt(tissue.lambda) * X : X - thickness * body.tissue.normal[particle]);
+    }
+    return boundary;
+}
+
+double mean_square_about_mean(std::span<const double> values, std::span<const double> areas)
+{
+    double area = 0.0;
+    double sum = 0.0;
+    double squares = 0.0;
+    for (std::size_t v = 0; v < values.size(); ++v)
+    {
+        area += areas[v];
+        sum += areas[v] * values[v];
+        squares += areas[v] * values[v] * values[v];
+    }
+    return squares / area - (sum / area) * (sum / area);
+}
+
+/// Degree of the radial displacement about the middle of a spherical surface; 0 when it is no sphere.
+int dominant_degree_of(std::span<const Vec3> X, std::span<const Vec3> x, std::span<const double> areas)
+{
+    Vec3 centre;
+    double area = 0.0;
+    for (std::size_t v = 0; v < X.size(); ++v)
+    {
+        centre += areas[v] * X[v];
+        area += areas[v];
+    }
+    centre = centre / area;
+    const double radius = norm(X[0] - centre);
+    std::vector<Vec3> directions;
+    std::vector<double> displacement;
+    for (std::size_t v = 0; v < X.size(); ++v)
+    {
+        if (std::abs(norm(X[v] - centre) - radius) > roundness * radius)
+        {
+            return 0;
+        }
+        directions.push_back(normalized(X[v] - centre));
+        displacement.push_back(dot(x[v] - X[v], directions.back()));
+    }
+    return dominant_degree(power_by_degree(directions, displacement, areas, largest_degree));
+}
+
+} // namespace
+
+FoldOptions fold_options(const Body& body, const PhysicalScale& scale)
+{
+    FoldOptions options;
+    options.midplane = mid_sagittal_plane(scaled(body.surface.vertices, scale.length));
+    return options;
+}
+
+SurfaceArrays surface_arrays(const Simulation& simulation, std::span<const Mat3> F, const PhysicalScale& scale)
+{
+    const Body& body = simulation.body();
+    const std::vector<Vec3> x = scaled(simulation.surface_positions(), scale.length);
+    const CarriedCloud cloud{body.cloud.positions, simulation.state().motion.x, F, body.cloud.spacing};
+    const std::vector<Vec3> inner =
+        scaled(carried_points(cloud, cortex_boundary(body, simulation.state().t)), scale.length);
+    return {fold_fields(x, body.cloud.surface_triangles, fold_options(body, scale)),
+            cortical_thickness(x, inner, body.cloud.surface_triangles)};
+}
+
+ReferenceFolds reference_folds(const Simulation& simulation)
+{
+    const Body& body = simulation.body();
+    const std::vector<Vec3>& X = body.surface.vertices;
+    const std::vector<Vec3> x = simulation.surface_positions();
+    const std::vector<Vec3> normals = vertex_normals(X, body.surface.triangles);
+    const std::vector<double> areas = vertex_areas(X, body.surface.triangles);
+    std::vector<double> displacement(X.size());
+    for (std::size_t v = 0; v < X.size(); ++v)
+    {
+        displacement[v] = dot(x[v] - X[v], normals[v]);
+    }
+    const double least = least_wave_per_spacing * body.cloud.spacing;
+    if (mean_square_about_mean(displacement, areas) < least * least)
+    {
+        return {};
+    }
+    const auto spectrum = laplace_beltrami_spectrum(X, body.surface.triangles, displacement);
+    return {dominant_wavelength(spectrum, fold_band(X, body.surface.triangles)),
+            static_cast<double>(dominant_degree_of(X, x, areas))};
+}
+
+} // namespace corticle

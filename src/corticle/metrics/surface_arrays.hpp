@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/metrics/fold_measures.hpp"
+#include "corticle/model/physical_scale.hpp"
+
+namespace corticle
+{
+
+/// What is measured at every surface vertex at an output time, in mm at its week.
+struct SurfaceArrays
+{
+    FoldFields folds;
+    std::vector<double> thickness; ///< of the cortex [mm]
+};
+
+SurfaceArrays surface_arrays(const Simulation& simulation, std::span<const Mat3> F, const PhysicalScale& scale);
+
+/// Folds are measured about the mid-plane of the reference surface.
+FoldOptions fold_options(const Body& body, const PhysicalScale& scale);
+
+/// Folds as a displacement of the reference surface, in mm of the body as it was given.
+struct ReferenceFolds
+{
+    double wavelength_mm = 0.0; ///< dominant wavelength of the normal displacement, in the reference frame; 0: no folds
+    double degree = 0.0;        ///< spherical harmonic of 1 to 30 with the most power of the radial displacement; 0: no
+                                ///< folds, or the reference surface is no sphere
+};
+
+ReferenceFolds reference_folds(const Simulation& simulation);
+
+} // namespace corticle

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/dynamics/options.hpp"
+#include "corticle/material/clock.hpp"
+#include "corticle/material/options.hpp"
+#include "corticle/material/size.hpp"
+#include "corticle/mechanics/contact/options.hpp"
+#include "corticle/mechanics/thesis/options.hpp"
+#include "corticle/mechanics/tlsph/options.hpp"
+
+#include <optional>
+
+namespace corticle
+{
+
+/// How a body is cut up.
+enum class Method
+{
+    tlsph, ///< particles
+    fem    ///< linear tetrahedra
+};
+
+struct TimeOptions
+{
+    double start = 0.0;                              ///< growth time t of the body as it is given
+    double end = 1.0;                                ///< growth time t at which the run ends
+    GestationalClock clock = GestationalClock::none; ///< with one, the weeks below set start and end
+    std::optional<double> start_week;                ///< gestational age of the body as it is given
+    std::optional<double> end_week;                  ///< gestational age at which the run ends
+};
+
+/// What a simulation of a given body needs to know.
+struct SimulationOptions
+{
+    Method method = Method::tlsph; ///< key solver.method
+    TissueOptions tissue;
+    Formulation formulation = Formulation::corrected; ///< key solver.formulation
+    TlsphOptions tlsph;                               ///< keys under [solver]
+    ThesisOptions thesis;                             ///< where formulation = "thesis"
+    ContactOptions contact;                           ///< keys under [contact]
+    DynamicsOptions dynamics;                         ///< keys under [solver]
+    TimeOptions time;
+    SizeOptions size;
+};
+
+} // namespace corticle

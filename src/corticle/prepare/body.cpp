@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/prepare/body.hpp"
+
+#include "corticle/base/error.hpp"
+#include "corticle/base/parallel.hpp"
+#include "corticle/cloud/division_normals.hpp"
+#include "corticle/cloud/fill.hpp"
+#include "corticle/cloud/from_tets.hpp"
+#include "corticle/cloud/neighbor_count_volumes.hpp"
+#include "corticle/geometry/shapes.hpp"
+#include "corticle/geometry/tetrahedralize.hpp"
+#include "corticle/material/imperfection.hpp"
+#include "corticle/mechanics/thesis/ellipsoid.hpp"
+#include "corticle/prepare/body_checks.hpp"
+#include "corticle/prepare/body_maps.hpp"
+#include "corticle/prepare/body_source.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <numbers>
+#include <numeric>
+
+namespace corticle
+{
+
+namespace
+{
+
+/// The size by which the cortex thins, if it does.
+ReferenceSize thinning_size(const PreparationOptions& options)
+{
+    return {options.time.clock, options.size.thin_cortex ? options.size.law : LengthLaw::none,
+            options.time.start_week.value_or(0.0)};
+}
+
+/// Depth and normal of every place from the closest point of the surface.
+void set_depth(const SurfaceTree& tree, std::span<const Vec3> places, Tissue& tissue)
+{
+    tissue.depth.resize(places.size());
+    tissue.normal.resize(places.size());
+    parallel_for(std::ssize(places),
+                 [&](std::int64_t i)
+                 {
+                     const SurfacePoint nearest = tree.closest(places[i]);
+                     tissue.depth[i] = std::sqrt(nearest.squared_distance);
+                     tissue.normal[i] = tree.interpolated_normal(nearest);
+                 });
+}
+
+BodyMaps set_maps(const MapOptions& options, const TriangleMesh& map_surface, std::span<const Vec3> places,
+                  Tissue& tissue)
+{
+    BodyMaps maps = read_body_maps(options, map_surface, places);
+    tissue.mapped_rate = std::move(maps.growth);
+    tissue.growth_onset = std::move(maps.onset);
+    tissue.growth_rate = std::move(maps.rate);
+    tissue.thickness = std::move(maps.thickness);
+    return maps;
+}
+
+/// Nodes of tets as particles; the tets themselves become elements where the method asks for them.
+void take_nodes(const PreparationOptions& options, TetCloud nodes, Preparation& made)
+{
+    Body& body = made.body;
+    body.cloud = std::move(nodes.cloud);
+    body.surface = std::move(nodes.surface);
+    made.report.remesh = nodes.remesh;
+    if (options.method == Method::fem)
+    {
+        body.fem.emplace();
+        body.fem->elements =
+            make_elements(body.cloud.positions, ordered_tets(body.cloud.positions, nodes.tets), body.cloud.spacing);
+        return;
+    }
+    std::ranges::move(nodes.warnings, std::back_inserter(made.report.warnings));
+}
+
+/// Surface and particles or tets of the options' arrangement; the surface's vertices are particles.
+void set_cloud(const PreparationOptions& options, const BodySource& source, Preparation& made)
+{
+    Body& body = made.body;
+    const GeometryOptions& geometry = options.geometry;
+    const auto [spacing, particles] = resolve_resolution(options, source.volume, source.area);
+    if (geometry.arrangement == "body_fitted" || geometry.arrangement == "mesh_nodes")
+    {
+        body.surface = geometry.shape == "file"
+                           ? remesh_isotropic(source.surface, edge_per_spacing * spacing, &made.report.remesh)
+                           : make_ellipsoid(semi_axes(geometry), edge_per_spacing * spacing);
+        if (options.method == Method::tlsph && geometry.arrangement == "body_fitted")
+        {
+            body.cloud = fill_surface(body.surface, {spacing, static_cast<std::uint64_t>(geometry.seed)});
+            return;
+        }
+        const RemeshReport remesh = made.report.remesh;
+        take_nodes(options, cloud_from_tets(tetrahedralize(body.surface, particles)), made);
+        made.report.remesh = remesh;
+        return;
+    }
+    if (!source.tets)
+    {
+        throw InputError(fmt::format("geometry.arrangement = \"{}\": the nodes of a tet mesh become particles, but {} "
+                                     "is none; expected a tet mesh, or arrangement = \"body_fitted\"",
+                                     geometry.arrangement, geometry.file));
+    }
+    TetCloudOptions chosen;
+    chosen.seed = static_cast<std::uint64_t>(geometry.seed);
+    chosen.thinning = geometry.arrangement == "thinned" ? Thinning::uniform : Thinning::random;
+    if (geometry.arrangement != "tet_nodes")
+    {
+        chosen.particles = particles;
+    }
+    take_nodes(options, cloud_from_tets(*source.tets, chosen), made);
+}
+
+/// What the thesis does instead, where the options ask for it.
+void apply_thesis_choices(const PreparationOptions& options, Body& body)
+{
+    const GeometryOptions& geometry = options.geometry;
+    const std::vector<Vec3>& X = body.cloud.positions;
+    if (geometry.volumes == "neighbour_count")
+    {
+        const double total = std::accumulate(body.cloud.volumes.begin(), body.cloud.volumes.end(), 0.0);
+        body.cloud.volumes = neighbor_count_volumes(X, support_mm(options.tlsph, body.cloud.spacing), total);
+    }
+    if (geometry.normals == "divisions")
+    {
+        body.tissue.normal = division_normals(X, triangle_normal_lines(body.surface),
+                                              static_cast<std::int32_t>(geometry.normal_divisions), extents_centre(X));
+    }
+}
+
+/// Regional growth as it is mapped, times the imperfection. @param thickness  of the cortex [mm]
+void set_regional_rate(const PreparationOptions& options, double thickness, std::span<const Vec3> places,
+                       Tissue& tissue)
+{
+    tissue.regional_rate = tissue.mapped_rate;
+    const double amplitude = imperfection_amplitude(options);
+    if (amplitude > 0.0)
+    {
+        const ImperfectionOptions& band = options.imperfection;
+        const RandomWaves waves(static_cast<std::uint64_t>(band.seed), band.shortest * thickness,
+                                band.longest * thickness);
+        apply_imperfection(waves, amplitude, places, tissue);
+    }
+}
+
+/// The cortex at the start, and the growth that lies behind it. @param volumes  of the places
+void start_tissue(const PreparationOptions& options, std::span<const Vec3> nodes, std::span<const Vec3> places,
+                  std::vector<double> volumes, Tissue& tissue)
+{
+    tissue.options = options.tissue;
+    tissue.volume = std::move(volumes);
+    if (options.tissue.layer != Layer::binary || options.tissue.lambda == 0.0)
+    {
+        tissue.size = thinning_size(options);
+        require_cortex(options, places, tissue);
+        tissue.set_layer(options.time.start);
+        tissue.theta_is_fixed = options.tissue.thickness_rate_mm == 0.0 && tissue.size.law == LengthLaw::none;
+    }
+    else if (options.geometry.shape == "file" || options.geometry.volumes == "neighbour_count")
+    {
+        // Volumes by counts say nothing about the layer's.
+        tissue.theta =
+            ellipsoid_layer_by_centres(places, fitted_semi_axes(nodes), options.tissue.lambda, extents_centre(nodes));
+    }
+    else
+    {
+        tissue.theta = ellipsoid_layer(places, tissue.volume, semi_axes(options.geometry), options.tissue.lambda);
+    }
+    tissue.start_growth(options.time.start);
+}
+
+void connect_particles(const PreparationOptions& options, Preparation& made)
+{
+    Body& body = made.body;
+    const SurfaceTree tree(body.surface.vertices, body.surface.triangles);
+    const double support = support_mm(options.tlsph, body.cloud.spacing);
+    const Neighbors pairs = options.tlsph.kernel_mm > 0.0
+                                ? find_pairs_within(body.cloud.positions, support)
+                                : find_neighbors(body.cloud, tree, support, &made.report.visibility);
+    made.report.neighbors_mean =
+        static_cast<double>(pairs.index.size()) / static_cast<double>(body.cloud.positions.size());
+    body.particles = make_particles(body.cloud, pairs, options.tlsph);
+}
+
+/// Thickness of the cortex where eq. 24 defines it, along the shortest semi-axis [mm].
+double thickness_by_lambda(const PreparationOptions& options, const Body& body)
+{
+    const auto axes =
+        options.geometry.shape == "file" ? fitted_semi_axes(body.cloud.positions) : semi_axes(options.geometry);
+    return (1.0 - std::sqrt(options.tissue.lambda)) * *std::min_element(axes.begin(), axes.end());
+}
+
+bool has_layer_by_lambda(const PreparationOptions& options)
+{
+    return options.tissue.layer == Layer::binary && options.tissue.lambda > 0.0;
+}
+
+/// Where the cortex is `thickness` thick by the case, in the reference state at growth time t [mm].
+double thickness_at(const PreparationOptions& options, double thickness, double t)
+{
+    return (thickness + options.tissue.thickness_rate_mm * t) / thinning_size(options).scale(t);
+}
+
+/// Smallest thickness of the cortex during the run [mm in the reference state].
+double least_thickness(const PreparationOptions& options, const Body& body)
+{
+    if (has_layer_by_lambda(options))
+    {
+        return thickness_by_lambda(options, body);
+    }
+    const std::vector<double>& local = body.tissue.thickness;
+    const double thickness =
+        local.empty() ? options.tissue.thickness_mm : *std::min_element(local.begin(), local.end());
+    return std::min(thickness_at(options, thickness, options.time.start),
+                    thickness_at(options, thickness, options.time.end));
+}
+
+/// Mean thickness of the cortex as the run begins, wherever it ends [mm in the reference state].
+double mean_thickness(const PreparationOptions& options, const Body& body)
+{
+    if (has_layer_by_lambda(options))
+    {
+        return thickness_by_lambda(options, body);
+    }
+    const std::vector<double>& local = body.tissue.thickness;
+    const double thickness = local.empty()
+                                 ? options.tissue.thickness_mm
+                                 : std::accumulate(local.begin(), local.end(), 0.0) / static_cast<double>(local.size());
+    return thickness_at(options, thickness, options.time.start);
+}
+
+} // namespace
+
+double estimated_memory(Method method, double particles, double neighbors)
+{
+    constexpr double bytes_per_pair = 6.0;
+    constexpr double bytes_per_particle = 960.0; // at an output time, when it takes the most
+    constexpr double bytes_per_tet = 240.0;
+    constexpr double tets_per_node = 6.0;
+    constexpr double base = 360e6; // the program and its picture library
+    const double links = method == Method::fem ? tets_per_node * bytes_per_tet : neighbors * bytes_per_pair;
+    return base + particles * (bytes_per_particle + links);
+}
+
+Resolution resolve_resolution(const PreparationOptions& options, double volume_mm3, double area_mm2)
+{
+    const GeometryOptions& geometry = options.geometry;
+    const double count =
+        geometry.spacing_mm ? volume_mm3 / std::pow(*geometry.spacing_mm, 3)
+        : options.elements
+            ? static_cast<double>(nodes_for_tets(*options.elements, volume_mm3, area_mm2, edge_per_spacing))
+            : static_cast<double>(geometry.particles.value_or(default_particles));
+    const double spacing = std::cbrt(volume_mm3 / count);
+    const std::string asked =
+        geometry.spacing_mm ? fmt::format("geometry.spacing_mm = {:g}", *geometry.spacing_mm)
+        : options.elements  ? fmt::format("solver.elements = {}", *options.elements)
+                            : fmt::format("geometry.particles = {}", geometry.particles.value_or(default_particles));
+    if (!(count >= static_cast<double>(fewest_particles) && count <= static_cast<double>(most_particles)))
+    {
+        throw InputError(fmt::format(
+            "{}: gives {:.0f} particles in {:.4g} mm³; expected {} to {} (spacing {:.4g} to {:.4g} mm)", asked, count,
+            volume_mm3, fewest_particles, most_particles, std::cbrt(volume_mm3 / static_cast<double>(most_particles)),
+            std::cbrt(volume_mm3 / static_cast<double>(fewest_particles))));
+    }
+    const double memory =
+        estimated_memory(options.method, count,
+                         4.0 / 3.0 * std::numbers::pi * std::pow(support_mm(options.tlsph, spacing) / spacing, 3));
+    const double available = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+    if (memory > available)
+    {
+        throw InputError(fmt::format(
+            "{}: gives {:.3g} particles, which need {:.1f} GiB; expected at most the {:.1f} GiB of this machine", asked,
+            count, memory / 0x1p30, available / 0x1p30));
+    }
+    return {spacing, std::llround(count)};
+}
+
+Preparation arrange_body(const PreparationOptions& options)
+{
+    BodySource source = read_body_source(options.geometry);
+    Preparation made;
+    Body& body = made.body;
+    made.report.source = source.kind;
+    made.report.notes = std::move(source.notes);
+    made.report.warnings = std::move(source.warnings);
+    made.report.inputs = std::move(source.reports);
+    made.report.input_vertices = std::ssize(source.surface.vertices);
+    set_cloud(options, source, made);
+    const SurfaceTree tree(body.surface.vertices, body.surface.triangles);
+    set_depth(tree, body.cloud.positions, body.tissue);
+    for (const std::int32_t particle : body.cloud.surface_particles)
+    {
+        body.tissue.depth[particle] = 0.0; // exactly
+    }
+    apply_thesis_choices(options, body);
+    BodyMaps maps = set_maps(options.map, source.map_surface, body.cloud.positions, body.tissue);
+    std::ranges::move(maps.notes, std::back_inserter(made.report.notes));
+    std::ranges::move(maps.warnings, std::back_inserter(made.report.warnings));
+    if (body.fem)
+    {
+        const std::vector<Vec3> places = centroids(body.cloud.positions, body.fem->elements.tets);
+        set_depth(tree, places, body.fem->tissue);
+        set_maps(options.map, source.map_surface, places, body.fem->tissue);
+    }
+    return made;
+}
+
+void connect_body(const PreparationOptions& options, Preparation& made)
+{
+    Body& body = made.body;
+    const std::vector<Vec3>& X = body.cloud.positions;
+    const double mean = mean_thickness(options, body);
+    set_regional_rate(options, mean, X, body.tissue);
+    start_tissue(options, X, X, body.cloud.volumes, body.tissue);
+    if (body.fem)
+    {
+        const TetElements& elements = body.fem->elements;
+        const std::vector<Vec3> places = centroids(X, elements.tets);
+        set_regional_rate(options, mean, places, body.fem->tissue);
+        start_tissue(options, X, places, elements.volume, body.fem->tissue);
+    }
+    else
+    {
+        connect_particles(options, made);
+    }
+    if (const std::string warning = size_warning(options, body); !warning.empty())
+    {
+        made.report.warnings.push_back(warning);
+    }
+    const double thickness = least_thickness(options, body);
+    if (thickness < 2.0 * body.cloud.spacing)
+    {
+        made.report.warnings.push_back(
+            fmt::format("the cortex of {:.4g} mm is thinner than two spacings of {:.4g} mm and will fold at the wrong "
+                        "wavelength; geometry.spacing_mm of at most {:.4g} is needed",
+                        thickness, body.cloud.spacing, thickness / 2.0));
+    }
+}
+
+Preparation prepare_body(const PreparationOptions& options)
+{
+    Preparation made = arrange_body(options);
+    connect_body(options, made);
+    return made;
+}
+
+} // namespace corticle

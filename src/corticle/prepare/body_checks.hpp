@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/prepare/body.hpp"
+
+namespace corticle
+{
+
+/// Refuses a cortex that is the whole body at the start, and one whose thickness comes to 0 somewhere during the run.
+/// @param tissue  with options, size, depth and the thickness map, at `places`
+/// @throws InputError
+void require_cortex(const PreparationOptions& options, std::span<const Vec3> places, const Tissue& tissue);
+
+/// A line where a body from a file is far smaller or larger than any brain; empty where it is not.
+std::string size_warning(const PreparationOptions& options, const Body& body);
+
+} // namespace corticle

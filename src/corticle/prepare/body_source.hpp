@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/mesh/tet_mesh.hpp"
+#include "corticle/prepare/options.hpp"
+#include "corticle/prepare/source_reports.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace corticle
+{
+
+/// What a body is made from, before particles are arranged. [mm]
+struct BodySource
+{
+    std::string kind;                  ///< "sphere" | "ellipsoid" | "surface" | "labels" | "tets"
+    TriangleMesh surface;              ///< closed and valid; empty for a sphere or an ellipsoid
+    TriangleMesh map_surface;          ///< as in the file: maps give numbers at its vertices; empty where there is none
+    std::optional<TetMesh> tets;       ///< of a tet mesh
+    double volume = 0.0;               ///< enclosed [mm³]
+    double area = 0.0;                 ///< of the surface [mm²]
+    std::vector<std::string> notes;    ///< what was found and done, one line each
+    std::vector<std::string> warnings; ///< one line each
+    SourceReports reports;             ///< the same in numbers
+};
+
+/// Reads and cleans the input the options name. @throws InputError
+BodySource read_body_source(const GeometryOptions& options);
+
+/// Semi-axes of a sphere or an ellipsoid [mm].
+std::array<double, 3> semi_axes(const GeometryOptions& options);
+
+} // namespace corticle

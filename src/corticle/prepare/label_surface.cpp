@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/prepare/label_surface.hpp"
+
+#include "corticle/base/error.hpp"
+#include "corticle/formats/volumes/nifti.hpp"
+#include "corticle/geometry/validate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace corticle
+{
+
+ImagedSurface read_label_surface(const std::filesystem::path& file, const MaskOptions& mask, Coordinates coordinates,
+                                 std::vector<std::string>& notes)
+{
+    LabelVolume image = read_nifti(file, {mask.volume, coordinates});
+    std::ranges::move(image.notes, std::back_inserter(notes));
+    try
+    {
+        ImagedSurface imaged = surface_from_labels(image, mask);
+        require_valid_surface(imaged.surface, "its surface");
+        return imaged;
+    }
+    catch (const InputError& error)
+    {
+        throw InputError(fmt::format("{}: {}", file.string(), error.what()));
+    }
+}
+
+} // namespace corticle

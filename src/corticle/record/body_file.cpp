@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/record/body_file.hpp"
+
+#include "corticle/base/error.hpp"
+#include "corticle/base/version.hpp"
+#include "corticle/config/case_file.hpp"
+#include "corticle/record/checkpoint.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace corticle
+{
+
+namespace
+{
+
+std::vector<std::int64_t> widened(std::span<const std::int32_t> values)
+{
+    return {values.begin(), values.end()};
+}
+
+template <std::size_t size>
+std::vector<std::int64_t> flattened(const std::vector<std::array<std::int32_t, size>>& polygons)
+{
+    std::vector<std::int64_t> result;
+    result.reserve(size * polygons.size());
+    for (const auto& polygon : polygons)
+    {
+        result.insert(result.end(), polygon.begin(), polygon.end());
+    }
+    return result;
+}
+
+/// An array of a body file; refuses a file that lacks it.
+template <class Map>
+const typename Map::mapped_type& array_of(const Map& map, const std::string& name, const std::filesystem::path& file)
+{
+    const auto found = map.find(name);
+    if (found == map.end())
+    {
+        throw InputError(
+            fmt::format("{}: holds no {}; expected a body file made by corticle prepare", file.string(), name));
+    }
+    return found->second;
+}
+
+template <std::size_t size>
+std::vector<std::array<std::int32_t, size>> polygons_of(std::span<const std::int64_t> corners)
+{
+    std::vector<std::array<std::int32_t, size>> polygons(corners.size() / size);
+    for (std::size_t k = 0; k < size * polygons.size(); ++k)
+    {
+        polygons[k / size][k % size] = static_cast<std::int32_t>(corners[k]);
+    }
+    return polygons;
+}
+
+/// @param prefix  "body." for the nodes, "body.tet_" for the elements
+void store_tissue(const Tissue& tissue, const std::string& prefix, Checkpoint& image)
+{
+    image.vectors[prefix + "normal"] = tissue.normal;
+    image.scalars[prefix + "depth"] = tissue.depth;
+    image.scalars[prefix + "regional_rate"] = tissue.mapped_rate;
+    image.scalars[prefix + "growth_onset"] = tissue.growth_onset;
+    image.scalars[prefix + "growth_rate"] = tissue.growth_rate;
+    image.scalars[prefix + "thickness"] = tissue.thickness;
+}
+
+Tissue stored_tissue(const Checkpoint& image, const std::string& prefix, const std::filesystem::path& file)
+{
+    Tissue tissue;
+    tissue.normal = array_of(image.vectors, prefix + "normal", file);
+    tissue.depth = array_of(image.scalars, prefix + "depth", file);
+    tissue.mapped_rate = array_of(image.scalars, prefix + "regional_rate", file);
+    tissue.growth_onset = array_of(image.scalars, prefix + "growth_onset", file);
+    tissue.growth_rate = array_of(image.scalars, prefix + "growth_rate", file);
+    tissue.thickness = array_of(image.scalars, prefix + "thickness", file);
+    return tissue;
+}
+
+} // namespace
+
+void write_body(const std::filesystem::path& file, const Preparation& made, const Options& options)
+{
+    const Body& body = made.body;
+    Checkpoint image;
+    image.program_version = program_version();
+    image.case_text = to_toml(options);
+    image.vectors["body.position"] = body.cloud.positions;
+    store_tissue(body.tissue, "body.", image);
+    image.vectors["body.surface_vertex"] = body.surface.vertices;
+    image.scalars["body.volume"] = body.cloud.volumes;
+    image.scalars["body.spacing"] = {body.cloud.spacing};
+    image.scalars["body.remesh"] = {made.report.remesh.area_change, made.report.remesh.volume_change,
+                                    made.report.remesh.largest_distance_mm};
+    image.integers["body.input_vertices"] = {made.report.input_vertices};
+    image.integers["body.surface_particle"] = widened(body.cloud.surface_particles);
+    image.integers["body.surface_triangle"] = flattened(body.cloud.surface_triangles);
+    if (body.fem)
+    {
+        image.integers["body.tet"] = flattened(body.fem->elements.tets);
+        store_tissue(body.fem->tissue, "body.tet_", image);
+    }
+    write_checkpoint(file, image);
+}
+
+Preparation read_body(const std::filesystem::path& file, const Options& options)
+{
+    const Checkpoint image = read_checkpoint(file);
+    const auto vectors = [&](const std::string& name) { return array_of(image.vectors, "body." + name, file); };
+    const auto scalars = [&](const std::string& name) { return array_of(image.scalars, "body." + name, file); };
+    const auto integers = [&](const std::string& name) { return array_of(image.integers, "body." + name, file); };
+    Preparation made;
+    Body& body = made.body;
+    body.cloud.positions = vectors("position");
+    body.cloud.volumes = scalars("volume");
+    body.cloud.spacing = scalars("spacing").at(0);
+    const std::vector<std::int64_t> surface_particles = integers("surface_particle");
+    body.cloud.surface_particles.assign(surface_particles.begin(), surface_particles.end());
+    body.cloud.surface_triangles = polygons_of<3>(integers("surface_triangle"));
+    body.surface = {vectors("surface_vertex"), body.cloud.surface_triangles};
+    body.tissue = stored_tissue(image, "body.", file);
+    const std::vector<double> remesh = scalars("remesh");
+    made.report.remesh = {remesh.at(0), remesh.at(1), remesh.at(2)};
+    made.report.input_vertices = integers("input_vertices").at(0);
+    const std::vector<std::string> differences = differing_body_keys(image.case_text, to_toml(options));
+    if (!differences.empty())
+    {
+        throw InputError(
+            fmt::format("{}: this body was made from another case: {}; expected the same [geometry], [map] and method",
+                        file.string(), fmt::join(differences, ", ")));
+    }
+    if (options.method == Method::fem)
+    {
+        body.fem = ElementBody{make_elements(body.cloud.positions, polygons_of<4>(integers("tet")), body.cloud.spacing),
+                               stored_tissue(image, "body.tet_", file)};
+    }
+    made.report.source = "body file";
+    made.report.notes = {"read from " + file.string()};
+    if (image.program_version != program_version())
+    {
+        made.report.warnings.push_back(
+            fmt::format("{} was made by version {}, this is {}: another body may come of the same case", file.string(),
+                        image.program_version, program_version()));
+    }
+    return made;
+}
+
+} // namespace corticle

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/config/options.hpp"
+#include "corticle/prepare/body.hpp"
+
+#include <filesystem>
+
+namespace corticle
+{
+
+/// Writes an arranged body and the case it was made from, whole or not at all. @throws RunError
+void write_body(const std::filesystem::path& file, const Preparation& made, const Options& options);
+
+/// An arranged body as write_body left it, bit for bit; connect_body makes it ready.
+/// @throws InputError when it is no body file, or was made from other keys of [geometry] or [map], or by another method
+Preparation read_body(const std::filesystem::path& file, const Options& options);
+
+} // namespace corticle

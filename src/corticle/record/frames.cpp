@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/record/frames.hpp"
+
+#include "corticle/base/parallel.hpp"
+#include "corticle/formats/vtk_files.hpp"
+#include "corticle/model/node_stress.hpp"
+
+#include <cmath>
+#include <numeric>
+
+namespace corticle
+{
+
+namespace
+{
+
+/// Arrays of one point per particle that a frame's files show besides those of Frame.
+struct ParticleArrays
+{
+    std::vector<double> J;
+    std::vector<double> F;            ///< deformation gradient, 9 a particle, by rows [-]
+    std::vector<double> stress;       ///< Cauchy stress, 9 a particle, by rows [mu_w]
+    std::vector<double> displacement; ///< 3 a particle [mm]
+    std::vector<double> normal;       ///< 3 a particle
+};
+
+double growth_at(const Simulation& simulation, std::size_t i)
+{
+    return simulation.body().tissue.point(i, simulation.state().t).growth;
+}
+
+std::vector<double> times(std::span<const double> values, double factor)
+{
+    std::vector<double> result(values.begin(), values.end());
+    for (double& value : result)
+    {
+        value *= factor;
+    }
+    return result;
+}
+
+ParticleArrays particle_arrays(const Simulation& simulation, const Frame& frame)
+{
+    const Tissue& tissue = simulation.body().tissue;
+    const std::vector<Mat3>& F = frame.F;
+    const std::size_t count = F.size();
+    ParticleArrays a{std::vector<double>(count), std::vector<double>(9 * count), std::vector<double>(9 * count),
+                     std::vector<double>(3 * count), std::vector<double>(3 * count)};
+    parallel_for(static_cast<std::int64_t>(count),
+                 [&](std::int64_t signed_i)
+                 {
+                     const auto i = static_cast<std::size_t>(signed_i);
+                     const Mat3 sigma = cauchy_stress_at(simulation, i, F[i]);
+                     const Vec3 u = frame.particles[i] - frame.origins[i];
+                     a.J[i] = determinant(F[i]);
+                     for (int row = 0; row < 3; ++row)
+                     {
+                         const auto r = static_cast<std::size_t>(row);
+                         a.displacement[3 * i + r] = u[row];
+                         a.normal[3 * i + r] = std::as_const(tissue.normal[i])[row];
+                         for (int col = 0; col < 3; ++col)
+                         {
+                             a.F[9 * i + 3 * r + static_cast<std::size_t>(col)] = F[i](row, col);
+                             a.stress[9 * i + 3 * r + static_cast<std::size_t>(col)] = sigma(row, col);
+                         }
+                     }
+                 });
+    return a;
+}
+
+} // namespace
+
+double mean_spacing(std::span<const double> volumes)
+{
+    return std::cbrt(std::accumulate(volumes.begin(), volumes.end(), 0.0) / static_cast<double>(volumes.size()));
+}
+
+Frame make_frame(const Simulation& simulation, std::vector<Mat3> F, const PhysicalScale& scale, std::string name)
+{
+    const Cloud& cloud = simulation.body().cloud;
+    Frame frame;
+    frame.t = simulation.state().t;
+    frame.week = scale.week;
+    frame.length_scale = scale.length;
+    frame.name = std::move(name);
+    frame.particles = scaled(simulation.state().motion.x, scale.length);
+    frame.origins = scaled(cloud.positions, scale.length);
+    frame.F = std::move(F);
+    frame.spacing = mean_spacing(cloud.volumes) * scale.length;
+    frame.theta = simulation.body().tissue.theta;
+    frame.surface = scaled(simulation.surface_positions(), scale.length);
+    frame.triangles = cloud.surface_triangles;
+    std::vector<double> J;
+    for (std::size_t i = 0; i < frame.F.size(); ++i)
+    {
+        frame.particle_growth.push_back(growth_at(simulation, i));
+        J.push_back(determinant(frame.F[i]));
+    }
+    frame.surface_J = surface_values(cloud, J);
+    frame.surface_growth = surface_values(cloud, frame.particle_growth);
+    return frame;
+}
+
+void write_frame(const std::filesystem::path& folder, const Simulation& simulation, const Frame& frame,
+                 const SurfaceArrays& arrays)
+{
+    const Cloud& cloud = simulation.body().cloud;
+    const Tissue& tissue = simulation.body().tissue;
+    const ParticleArrays a = particle_arrays(simulation, frame);
+    const std::vector<double> depth = times(tissue.depth, frame.length_scale);
+    const std::vector<double> volume = times(cloud.volumes, std::pow(frame.length_scale, 3));
+    std::vector<std::int32_t> ids(frame.particles.size());
+    std::iota(ids.begin(), ids.end(), 0);
+    const std::vector particle_fields{
+        Field{"J", 1, a.J},       Field{"theta", 1, frame.theta}, Field{"growth", 1, frame.particle_growth},
+        Field{"F", 9, a.F},       Field{"stress", 9, a.stress},   Field{"displacement", 3, a.displacement},
+        Field{"depth", 1, depth}, Field{"normal", 3, a.normal},   Field{"volume", 1, volume}};
+    write_particles_vtu(folder / ("particles_" + frame.name + ".vtu"), frame.particles, ids, particle_fields);
+
+    const std::vector<double> id(cloud.surface_particles.begin(), cloud.surface_particles.end());
+    const std::vector<double> theta = surface_values(cloud, frame.theta);
+    const std::vector<double> displacement = surface_values(cloud, a.displacement, 3);
+    const Curvature& curvature = arrays.folds.curvature;
+    const std::vector surface_fields{Field{"J", 1, frame.surface_J},
+                                     Field{"theta", 1, theta},
+                                     Field{"growth", 1, frame.surface_growth},
+                                     Field{"displacement", 3, displacement},
+                                     Field{"mean_curvature", 1, curvature.mean},
+                                     Field{"gaussian_curvature", 1, curvature.gaussian},
+                                     Field{"shape_index", 1, curvature.shape_index},
+                                     Field{"curvedness", 1, curvature.curvedness},
+                                     Field{"sulcal_depth", 1, arrays.folds.sulcal_depth},
+                                     Field{"local_gyrification", 1, arrays.folds.local_gyrification},
+                                     Field{"thickness", 1, arrays.thickness},
+                                     Field{"id", 1, id}};
+    write_surface_vtp(folder / ("surface_" + frame.name + ".vtp"), frame.surface, frame.triangles, surface_fields);
+}
+
+} // namespace corticle

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/record/summary.hpp"
+
+#include "corticle/base/version.hpp"
+#include "corticle/config/parameters.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <sys/resource.h>
+
+namespace corticle
+{
+
+namespace
+{
+
+/// The value of a key that is text.
+std::string text_of(const Options& options, std::string_view key)
+{
+    return std::get<std::string>(find_parameter(key)->get(options));
+}
+
+/// Mean cost in wall time of one of so many things in one step; null before the first step.
+nlohmann::ordered_json cost_each(double seconds, double things, const RunInfo& info)
+{
+    const double work = things * static_cast<double>(info.session_steps);
+    return work > 0.0 ? nlohmann::ordered_json(seconds * info.session_wall_s / work) : nlohmann::ordered_json(nullptr);
+}
+
+} // namespace
+
+double peak_memory_mb()
+{
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+std::string inputs_json(const Options& options)
+{
+    nlohmann::ordered_json j = nlohmann::ordered_json::object();
+    for (const auto& [key, checksum] : options.inputs)
+    {
+        j[key] = {{"file", text_of(options, key)}, {"sha256", checksum}};
+    }
+    return j.dump();
+}
+
+std::string summary_json(const Simulation& simulation, const PreparationReport& made, const Options& options,
+                         const Measures& last, const RunInfo& info)
+{
+    const Body& body = simulation.body();
+    const State& state = simulation.state();
+    const auto particles = static_cast<double>(body.cloud.positions.size());
+    const std::size_t elements = body.fem ? body.fem->elements.tets.size() : 0;
+    nlohmann::ordered_json j;
+    j["status"] = info.status;
+    if (!info.reason.empty())
+    {
+        j["reason"] = info.reason;
+    }
+    j["method"] = text_of(options, "solver.method");
+    j["formulation"] = text_of(options, "solver.formulation");
+    j["particles"] = body.cloud.positions.size();
+    j["surface_particles"] = body.cloud.surface_particles.size();
+    j["elements"] = elements;
+    j["threads"] = info.threads;
+    j["t"] = state.t;
+    j["clock"] = text_of(options, "time.clock");
+    j["week"] = last.week;
+    j["length_scale"] = last.length_scale;
+    j["steps"] = state.steps;
+    j["rejected_steps"] = state.rejected_steps;
+    j["wall_s"] = info.wall_s;
+    j["us_per_particle_step"] = cost_each(1e6, particles, info);
+    if (body.fem)
+    {
+        j["ns_per_element_step"] = cost_each(1e9, static_cast<double>(elements), info);
+    }
+    j["internal_forces_s"] = simulation.seconds().internal_forces;
+    j["contact_s"] = simulation.seconds().contact;
+    j["measures_s"] = info.measures_s;
+    j["output_s"] = info.output_s;
+    j["peak_memory_mb"] = peak_memory_mb();
+    for (const SizeColumn& column : size_columns())
+    {
+        j[std::string(column.key)] = last.*column.value;
+    }
+    j["area_ratio"] = last.area_ratio;
+    j["volume_ratio"] = last.volume_ratio;
+    for (const FoldColumn& column : fold_columns())
+    {
+        j[std::string(column.key)] = last.*column.value;
+    }
+    j["thickness_mean_mm"] = last.thickness_mean_mm;
+    j["fold_wavelength_reference_mm"] = last.fold_wavelength_reference_mm;
+    j["fold_degree"] = last.fold_degree;
+    j["onset_t"] = state.onset_t >= 0.0 ? nlohmann::ordered_json(state.onset_t) : nlohmann::ordered_json(nullptr);
+    j["J_min"] = last.J_min;
+    j["J_mean"] = last.J_mean;
+    j["J_max"] = last.J_max;
+    j["energy_elastic"] = last.energy_elastic;
+    j["energy_kinetic"] = last.energy_kinetic;
+    j["energy_zero_mode"] = last.energy_zero_mode;
+    j["energy_contact"] = last.energy_contact;
+    j["energy_dissipated"] = last.energy_dissipated;
+    j["work_growth"] = last.work_growth;
+    for (const EquilibriumColumn& column : equilibrium_columns())
+    {
+        j[std::string(column.key)] = last.*column.value;
+    }
+    j["barrier_particles"] = last.barrier_particles;
+    j["extrapolated_elements"] = last.extrapolated_elements;
+    j["inverted_elements"] = last.inverted_elements;
+    j["max_penetration_mm"] = last.max_penetration_mm;
+    j["overlap_area_share"] = last.overlap_area_share;
+    j["intersecting_triangles"] = last.intersecting_triangles;
+    j["contact_limited_share"] = last.contact_limited_share;
+    j["energy_contact_limit"] = last.energy_contact_limit;
+    j["spacing_mm"] = body.cloud.spacing;
+    j["neighbours_mean"] = made.neighbors_mean;
+    j["dropped_pairs"] = made.visibility.dropped_pairs;
+    if (made.input_vertices > 0)
+    {
+        j["remesh_area_change"] = made.remesh.area_change;
+        j["remesh_volume_change"] = made.remesh.volume_change;
+        j["remesh_largest_distance_mm"] = made.remesh.largest_distance_mm;
+    }
+    j["inputs"] = nlohmann::ordered_json::parse(inputs_json(options));
+    j["version"] = program_version();
+    j["versions"] = info.versions;
+    return j.dump(2) + "\n";
+}
+
+std::string summary_without_state_json(const RunInfo& info)
+{
+    nlohmann::ordered_json j;
+    j["status"] = info.status;
+    j["reason"] = info.reason;
+    j["threads"] = info.threads;
+    j["wall_s"] = info.wall_s;
+    j["peak_memory_mb"] = peak_memory_mb();
+    j["version"] = program_version();
+    j["versions"] = info.versions;
+    return j.dump(2) + "\n";
+}
+
+std::vector<std::string> summary_number_keys()
+{
+    std::vector<std::string> keys{"particles",
+                                  "surface_particles",
+                                  "elements",
+                                  "threads",
+                                  "wall_s",
+                                  "ns_per_element_step",
+                                  "us_per_particle_step",
+                                  "internal_forces_s",
+                                  "contact_s",
+                                  "measures_s",
+                                  "output_s",
+                                  "peak_memory_mb",
+                                  "onset_t",
+                                  "spacing_mm",
+                                  "neighbours_mean",
+                                  "dropped_pairs",
+                                  "remesh_area_change",
+                                  "remesh_volume_change",
+                                  "remesh_largest_distance_mm"};
+    for (const MeasureColumn& column : measure_columns())
+    {
+        if (column.key != "contact_pairs")
+        {
+            keys.emplace_back(column.key);
+        }
+    }
+    return keys;
+}
+
+} // namespace corticle

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/base/parallel.hpp"
+
+#include "corticle/base/stopwatch.hpp"
+#include "corticle/model/simulation.hpp"
+#include "corticle/prepare/body.hpp"
+#include "corticle/study/run_folder.hpp"
+
+#include <fmt/format.h>
+
+namespace corticle
+{
+
+namespace
+{
+
+constexpr int timed_steps = 10;
+// A fold's steps over those its first step size would give, at constant loading: growth and creases shorten them.
+constexpr double steps_over_first = 4.0;
+constexpr double contact_surcharge = 1.2; ///< time of a step with folds that touch, over one without
+
+} // namespace
+
+Plan plan(const Options& options, int threads)
+{
+    set_thread_count(threads);
+    Preparation made = prepare_body(options);
+    Body& body = made.body;
+    Plan result;
+    result.particles = std::ssize(body.cloud.positions);
+    result.surface_vertices = std::ssize(body.cloud.surface_particles);
+    result.spacing_mm = body.cloud.spacing;
+    result.neighbors_mean = made.report.neighbors_mean;
+    result.memory_mb =
+        estimated_memory(options.method, static_cast<double>(result.particles), result.neighbors_mean) / 1e6;
+    std::string notes;
+    for (const std::string& warning : made.report.warnings)
+    {
+        notes += "warning: " + warning + "\n";
+    }
+
+    Simulation simulation(body, options);
+    const DynamicsOptions& dynamics = options.dynamics;
+    const double longer = dynamics.time_step > 0.0 ? 1.0 : steps_over_first * quickened_steps(dynamics);
+    result.steps = longer * (options.time.end - options.time.start) / simulation.step_size();
+    double timed_s = 0.0;
+    {
+        const Stopwatch watch(timed_s);
+        for (int k = 0; k < timed_steps; ++k)
+        {
+            simulation.step(options.time.end);
+        }
+    }
+    result.seconds = contact_surcharge * timed_s / timed_steps * result.steps;
+    const std::string links = body.fem ? fmt::format("elements    {}", body.fem->elements.tets.size())
+                                       : fmt::format("neighbours  {:.1f}", result.neighbors_mean);
+    result.text = fmt::format("{}particles   {} ({} on the surface)\nspacing     {:.4g} mm\n{}\nsteps  "
+                              "     about {:.0f}\nmemory      about "
+                              "{:.0f} MB\ntime        about {:.0f} s on {} threads\n",
+                              notes, result.particles, result.surface_vertices, result.spacing_mm, links, result.steps,
+                              result.memory_mb, result.seconds, thread_count());
+    return result;
+}
+
+} // namespace corticle

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/study/preparation_folder.hpp"
+
+#include "corticle/base/error.hpp"
+#include "corticle/base/parallel.hpp"
+#include "corticle/base/version.hpp"
+#include "corticle/cloud/quality.hpp"
+#include "corticle/config/case_file.hpp"
+#include "corticle/formats/atomic_file.hpp"
+#include "corticle/formats/vtk_files.hpp"
+#include "corticle/record/body_file.hpp"
+#include "corticle/record/result_folder.hpp"
+#include "corticle/record/summary.hpp"
+#include "corticle/study/preparation_comparison.hpp"
+#include "corticle/view/body_pictures.hpp"
+#include "corticle/view/pictures.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <numeric>
+
+namespace corticle
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::array files{"body.h5", "case.toml", "particles.vtu", "surface.vtp", "preparation.json"};
+
+/// Where a picture lies in the folder.
+std::string picture(std::string_view name)
+{
+    return fmt::format("pictures/{}", name);
+}
+
+/// All that a preparation writes.
+std::vector<std::string> written_files(const PrepareRequest& request, bool with_pictures)
+{
+    std::vector<std::string> all(files.begin(), files.end());
+    if (with_pictures)
+    {
+        std::ranges::transform(body_pictures, std::back_inserter(all), picture);
+    }
+    if (with_pictures && request.compare_thesis)
+    {
+        std::ranges::transform(thesis_pictures, std::back_inserter(all), picture);
+    }
+    return all;
+}
+
+void require_free_folder(const ResultFolder& folder, const PrepareRequest& request)
+{
+    if (folder.is_used() && !request.overwrite)
+    {
+        throw InputError(fmt::format(
+            "{}: holds a prepared body already; expected another folder, or --overwrite to replace it", folder.name()));
+    }
+    folder.require_free(written_files(request, request.options.output.pictures == "on"));
+}
+
+std::vector<double> flattened(std::span<const Vec3> vectors)
+{
+    std::vector<double> result;
+    result.reserve(3 * vectors.size());
+    for (const Vec3& v : vectors)
+    {
+        result.insert(result.end(), {v.x, v.y, v.z});
+    }
+    return result;
+}
+
+/// Edges of the box along the axes [mm].
+std::array<double, 3> extent(std::span<const Vec3> points)
+{
+    std::array<double, 3> result{};
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        const auto [low, high] = std::minmax_element(
+            points.begin(), points.end(), [axis](const Vec3& a, const Vec3& b) { return a[axis] < b[axis]; });
+        result[static_cast<std::size_t>(axis)] = (*high)[axis] - (*low)[axis];
+    }
+    return result;
+}
+
+/// Number of handles of a closed surface in one piece, from its Euler characteristic.
+std::int64_t genus(const TriangleMesh& surface)
+{
+    return (2 - std::ssize(surface.vertices) + std::ssize(surface.triangles) / 2) / 2;
+}
+
+/// Files of the body that ParaView opens.
+void write_views(const fs::path& out, const Body& body, const BodyQuality& quality)
+{
+    const Tissue& tissue = body.tissue;
+    const std::vector<double> normal = flattened(tissue.normal);
+    std::vector<std::int32_t> ids(body.cloud.positions.size());
+    std::iota(ids.begin(), ids.end(), 0);
+    std::vector fields{Field{"theta", 1, tissue.theta},
+                       Field{"depth", 1, tissue.depth},
+                       Field{"normal", 3, normal},
+                       Field{"volume", 1, body.cloud.volumes},
+                       Field{"regional_growth", 1, tissue.regional_rate},
+                       Field{"nearest_distance", 1, quality.nearest_distance},
+                       Field{"volume_over_mean", 1, quality.volume_over_mean},
+                       Field{"condition_number", 1, quality.condition_number}};
+    for (const auto& [name, values] :
+         {std::pair{"thickness", &tissue.thickness}, std::pair{"growth_onset", &tissue.growth_onset},
+          std::pair{"growth_rate", &tissue.growth_rate}})
+    {
+        if (!values->empty())
+        {
+            fields.push_back(Field{name, 1, *values});
+        }
+    }
+    write_particles_vtu(out / "particles.vtu", body.cloud.positions, ids, fields);
+
+    const std::vector<double> growth = surface_values(body.cloud, tissue.regional_rate);
+    const std::vector<double> thickness =
+        tissue.thickness.empty() ? std::vector<double>{} : surface_values(body.cloud, tissue.thickness);
+    std::vector surface_fields{Field{"regional_growth", 1, growth}};
+    if (!thickness.empty())
+    {
+        surface_fields.push_back(Field{"thickness", 1, thickness});
+    }
+    write_surface_vtp(out / "surface.vtp", body.surface.vertices, body.surface.triangles, surface_fields);
+}
+
+Json report_json(const Preparation& made, const Options& options, const BodyQuality& quality, double seconds)
+{
+    const Body& body = made.body;
+    const CloudQuality cloud = measure_quality(body.cloud);
+    Json j;
+    j["source"] = made.report.source;
+    j["particles"] = body.cloud.positions.size();
+    j["surface_particles"] = body.cloud.surface_particles.size();
+    j["spacing_mm"] = body.cloud.spacing;
+    j["elements"] = body.fem ? body.fem->elements.tets.size() : 0;
+    j["neighbours_mean"] = made.report.neighbors_mean;
+    j["dropped_pairs"] = made.report.visibility.dropped_pairs;
+    j["area_mm2"] = surface_area(body.surface.vertices, body.surface.triangles);
+    j["volume_mm3"] = enclosed_volume(body.surface.vertices, body.surface.triangles);
+    j["particle_volume_sum_mm3"] = std::accumulate(body.cloud.volumes.begin(), body.cloud.volumes.end(), 0.0);
+    j["extent_mm"] = extent(body.surface.vertices);
+    j["genus"] = genus(body.surface);
+    if (made.report.input_vertices > 0)
+    {
+        j["input_vertices"] = made.report.input_vertices;
+        j["remesh_area_change"] = made.report.remesh.area_change;
+        j["remesh_volume_change"] = made.report.remesh.volume_change;
+        j["remesh_largest_distance_mm"] = made.report.remesh.largest_distance_mm;
+    }
+    j["closest_pair_spacings"] = cloud.closest_pair_spacings;
+    j["volume_over_mean"] = {cloud.smallest_volume / cloud.mean_volume, cloud.largest_volume / cloud.mean_volume};
+    j["worst_condition_number"] = *std::max_element(quality.condition_number.begin(), quality.condition_number.end());
+    j["cortex_volume_share"] = cortex_share(body);
+    j.update(Json::parse(reports_json(made.report.inputs)));
+    j["notes"] = made.report.notes;
+    j["warnings"] = made.report.warnings;
+    j["seconds"] = seconds;
+    j["peak_memory_mb"] = peak_memory_mb();
+    j["inputs"] = Json::parse(inputs_json(options));
+    j["version"] = program_version();
+    return j;
+}
+
+std::string report_text(const Json& j)
+{
+    std::string text;
+    for (const auto& note : j["notes"])
+    {
+        text += note.get<std::string>() + "\n";
+    }
+    for (const auto& warning : j["warnings"])
+    {
+        text += "warning: " + warning.get<std::string>() + "\n";
+    }
+    const auto number = [&](const char* key) { return j[key].get<double>(); };
+    text += fmt::format("volume        {:.6g} mm3, area {:.6g} mm2, extent {:.4g} x {:.4g} x {:.4g} mm, genus {}\n",
+                        number("volume_mm3"), number("area_mm2"), j["extent_mm"][0].get<double>(),
+                        j["extent_mm"][1].get<double>(), j["extent_mm"][2].get<double>(), j["genus"].get<int>());
+    text += fmt::format("particles     {} ({} on the surface), spacing {:.4g} mm, {:.1f} neighbours\n",
+                        j["particles"].get<std::int64_t>(), j["surface_particles"].get<std::int64_t>(),
+                        number("spacing_mm"), number("neighbours_mean"));
+    text +=
+        fmt::format("quality       closest pair {:.3f} spacings, volumes {:.3f} to {:.3f} of the mean, worst condition "
+                    "number {:.2f}\n",
+                    number("closest_pair_spacings"), j["volume_over_mean"][0].get<double>(),
+                    j["volume_over_mean"][1].get<double>(), number("worst_condition_number"));
+    return text + fmt::format("took          {:.1f} s, {:.0f} MB\n", number("seconds"), number("peak_memory_mb"));
+}
+
+} // namespace
+
+std::string prepare(const PrepareRequest& request)
+{
+    const auto start = std::chrono::steady_clock::now();
+    set_thread_count(request.threads);
+    ResultFolder folder(request.out, "prepared body");
+    require_free_folder(folder, request);
+    Preparation made = arrange_body(request.options);
+    connect_body(request.options, made);
+    const Body& body = made.body;
+    const BodyQuality quality = measure_body_quality(body);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    Json report = report_json(made, request.options, quality, seconds);
+    std::optional<PreparationComparison> comparison;
+    if (request.compare_thesis)
+    {
+        comparison = compare_preparation(body, request.options);
+        report["thesis_comparison"] = Json::parse(comparison_json(*comparison));
+    }
+
+    folder.make();
+    require_free_folder(folder, request); // again: the body may have taken a while
+    folder.remove_written();
+    std::string reason;
+    const bool draws = request.options.output.pictures == "on" && can_render(reason);
+    folder.claim(written_files(request, draws));
+    write_body(request.out / "body.h5", made, request.options);
+    write_text_atomically(request.out / "case.toml", to_toml(request.options));
+    write_views(request.out, body, quality);
+    if (draws)
+    {
+        render_body(request.out / "pictures", body, quality);
+    }
+    if (draws && comparison)
+    {
+        write_comparison_pictures(request.out / "pictures", body, *comparison);
+    }
+    write_text_atomically(request.out / "preparation.json", report.dump(2) + "\n");
+    std::string text = report_text(report);
+    if (comparison)
+    {
+        text += fmt::format("\n{}", comparison_text(*comparison));
+    }
+    if (!reason.empty())
+    {
+        text += fmt::format("warning: no pictures: {}\n", reason);
+    }
+    return text;
+}
+
+} // namespace corticle

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/study/real_surface.hpp"
+
+#include "corticle/base/error.hpp"
+#include "corticle/formats/surfaces/surface_reader.hpp"
+#include "corticle/formats/volumes/nifti.hpp"
+#include "corticle/geometry/validate.hpp"
+#include "corticle/prepare/label_surface.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace corticle
+{
+
+namespace
+{
+
+/// Stairs of voxels, smoothed for measuring, are waves of at most 0.06 voxels (root mean square) at any wavelength:
+/// ellipsoids of 9 to 60 voxels, upright and tilted. Waves that are not well above that are no folds.
+constexpr double least_wave_height_in_voxels = 0.15;
+
+} // namespace
+
+MaskOptions measuring_mask()
+{
+    MaskOptions mask;
+    mask.closing_mm = 0.0;
+    mask.smoothing_mm = 0.7;
+    return mask;
+}
+
+RealSurfaceReading read_real_surface(const std::filesystem::path& file, const RealSurfaceOptions& options)
+{
+    RealSurfaceReading reading;
+    if (is_nifti(file))
+    {
+        ImagedSurface imaged = read_label_surface(file, options.mask, options.coordinates, reading.notes);
+        reading.surface = std::move(imaged.surface);
+        reading.warnings = std::move(imaged.report.warnings);
+        const Vec3& edges = imaged.report.voxel_mm;
+        reading.voxel_mm = std::max({edges.x, edges.y, edges.z});
+        return reading;
+    }
+    if (!options.mask.labels.empty())
+    {
+        throw InputError(fmt::format("{}: --labels is given, but this is no label volume; expected a NIfTI file, or no "
+                                     "--labels",
+                                     file.string()));
+    }
+    reading.surface = read_surface(file, {millimetres_per(options.unit), options.coordinates, &reading.notes});
+    require_valid_surface(reading.surface, file.string());
+    return reading;
+}
+
+std::vector<SurfaceRow> surface_rows(const RealSurfaceReading& reading, FoldOptions options)
+{
+    options.least_wave_height_mm = least_wave_height_in_voxels * reading.voxel_mm;
+    return surface_rows(reading.surface.vertices, reading.surface.triangles, options);
+}
+
+} // namespace corticle

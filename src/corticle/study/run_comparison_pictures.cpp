@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/study/run_comparison.hpp"
+
+#include "corticle/view/run_pictures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace corticle
+{
+
+namespace
+{
+
+constexpr const char* measures_plot = "measures.png";
+
+/// A panel of a measure against t, each run at its own output times; no curves where neither has it.
+Panel measure_panel(const RunComparison& comparison, std::string_view key)
+{
+    Panel panel{"t", std::string(key), {}};
+    for (std::size_t run = 0; run < 2; ++run)
+    {
+        const NumberTable& table = comparison.runs[run].measures;
+        const auto column = std::find_if(table.columns.begin(), table.columns.end(),
+                                         [&](const NumberColumn& c) { return measure_key(c) == key; });
+        if (column != table.columns.end())
+        {
+            panel.curves.push_back({comparison.names[run], table.find("t")->values, column->values});
+        }
+    }
+    return panel;
+}
+
+template <class Value>
+Curve frame_curve(const RunComparison& comparison, std::string label, Value&& value)
+{
+    Curve curve{std::move(label), {}, {}};
+    for (const FramePair& pair : comparison.frames)
+    {
+        curve.x.push_back(pair.files[0].t);
+        curve.y.push_back(value(pair));
+    }
+    return curve;
+}
+
+std::vector<Panel> panels_of(const RunComparison& comparison)
+{
+    std::vector<Panel> panels;
+    for (const char* key : {"area_ratio", "volume_ratio", "gi_hull", "gi_sphere", "J_mean", "energy_elastic"})
+    {
+        panels.push_back(measure_panel(comparison, key));
+    }
+    const auto curve = [&](std::string label, auto value) { return frame_curve(comparison, std::move(label), value); };
+    const auto of_J = [&](std::string label, double FieldDifference::*value)
+    { return curve(std::move(label), [value](const FramePair& pair) { return pair.J.*value; }); };
+    const auto of_surface = [&](std::string label, double SurfaceDistance::*value)
+    { return curve(std::move(label), [value](const FramePair& pair) { return pair.surface.*value; }); };
+    Panel J{"t", "difference of J", {of_J("mean (eq. 27)", &FieldDifference::mean)}};
+    if (std::any_of(comparison.frames.begin(), comparison.frames.end(),
+                    [](const FramePair& pair) { return pair.J.is_interpolated; }))
+    {
+        J.curves.push_back(of_J("error of interpolation", &FieldDifference::interpolation_error));
+    }
+    panels.push_back(std::move(J));
+    panels.push_back({"t",
+                      "distance of the surfaces [mm]",
+                      {of_surface("mean", &SurfaceDistance::mean), of_surface("95 %", &SurfaceDistance::percentile_95),
+                       of_surface("Hausdorff", &SurfaceDistance::hausdorff)}});
+    panels.push_back(measure_panel(comparison, "overlap_area_share"));
+    std::erase_if(panels, [](const Panel& panel) { return panel.curves.empty(); });
+    return panels;
+}
+
+std::vector<double> together(const std::vector<double>& a, const std::vector<double>& b)
+{
+    std::vector<double> both = a;
+    both.insert(both.end(), b.begin(), b.end());
+    return both;
+}
+
+/// Names of the pictures of one time: surface and cut.
+std::array<std::string, 2> picture_files(const FramePair& pair)
+{
+    const std::string name = pair.files[0].name();
+    return {fmt::format("surface_J_{}.png", name), fmt::format("cut_J_{}.png", name)};
+}
+
+/// Surface and cut by J of one time.
+void draw_frame(const std::filesystem::path& folder, const RunComparison& comparison, const FramePair& pair)
+{
+    const std::array frames{read_frame(pair.files[0]), read_frame(pair.files[1])};
+    const std::array J{volume_ratios(frames[0]), volume_ratios(frames[1])};
+    const std::array<std::string, 2> files = picture_files(pair);
+    std::array<std::string, 2> captions;
+    std::array<SurfaceInput, 2> surfaces;
+    for (std::size_t run = 0; run < 2; ++run)
+    {
+        captions[run] = fmt::format("{}, t = {:.3f}", comparison.names[run], frames[run].t);
+        surfaces[run] = {captions[run], frames[run].surface, frames[run].triangles, frames[run].surface_J};
+    }
+    render_surface_pair(folder / files[0], surfaces,
+                        robust_scale("J = det F", together(frames[0].surface_J, frames[1].surface_J), "viridis"),
+                        "Surfaces by volume ratio J");
+    std::array cuts{middle_cut(frames[0], J[0]), middle_cut(frames[1], J[1])};
+    const double middle = 0.5 * (cuts[0].coordinate + cuts[1].coordinate);
+    cuts[0].coordinate = middle; // the same plane through both
+    cuts[1].coordinate = middle;
+    render_cut_pair(folder / files[1], cuts, captions, robust_scale("J = det F", together(J[0], J[1]), "viridis"),
+                    "Cuts by volume ratio J");
+}
+
+} // namespace
+
+std::vector<std::string> comparison_pictures(const RunComparison& comparison)
+{
+    std::vector<std::string> files{measures_plot};
+    for (const std::size_t k : comparison.pictured)
+    {
+        const auto pictures = picture_files(comparison.frames[k]);
+        files.insert(files.end(), pictures.begin(), pictures.end());
+    }
+    return files;
+}
+
+void draw_comparison(const std::filesystem::path& folder, const RunComparison& comparison)
+{
+    render_plot(folder / measures_plot, panels_of(comparison), "Measures against growth time");
+    for (const std::size_t k : comparison.pictured)
+    {
+        draw_frame(folder, comparison, comparison.frames[k]);
+    }
+}
+
+} // namespace corticle

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/study/run_folder.hpp"
+
+#include "corticle/base/error.hpp"
+#include "corticle/base/parallel.hpp"
+#include "corticle/base/version.hpp"
+#include "corticle/config/case_checks.hpp"
+#include "corticle/config/case_file.hpp"
+#include "corticle/formats/atomic_file.hpp"
+#include "corticle/record/body_file.hpp"
+#include "corticle/record/progress.hpp"
+#include "corticle/record/result_folder.hpp"
+#include "corticle/record/run_files.hpp"
+#include "corticle/study/interruption.hpp"
+#include "corticle/study/recorder.hpp"
+#include "corticle/view/pictures.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/sinks/basic_file_sink.h>
+#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <future>
+
+namespace corticle
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+/// run.log gets everything; the terminal gets warnings.
+std::shared_ptr<spdlog::logger> make_log(const fs::path& folder, bool quiet)
+{
+    auto file = std::make_shared<spdlog::sinks::basic_file_sink_mt>((folder / "run.log").string());
+    auto terminal = std::make_shared<spdlog::sinks::stderr_sink_mt>();
+    terminal->set_level(quiet ? spdlog::level::off : spdlog::level::warn);
+    terminal->set_pattern("corticle: %l: %v");
+    auto log = std::make_shared<spdlog::logger>("run", spdlog::sinks_init_list{file, terminal});
+    log->flush_on(spdlog::level::info);
+    return log;
+}
+
+/// The loop over output times; false when interrupted.
+bool fold(Simulation& simulation, Recorder& recorder, const Options& options, bool quiet)
+{
+    const std::vector<double> times = output_times(options);
+    const std::vector<bool> with_pictures = picture_flags(options, times);
+    Progress progress(simulation, options.time.end, quiet);
+    for (std::size_t k = 0; k < times.size(); ++k)
+    {
+        if (recorder.has(times[k]) || times[k] < simulation.state().t - same_output_time)
+        {
+            continue;
+        }
+        while (simulation.state().t < times[k])
+        {
+            simulation.step(times[k]);
+            progress.update(simulation);
+            if (simulation.state().t >= times[k])
+            {
+                break; // it is recorded and saved at once
+            }
+            recorder.save_if_due(simulation);
+            if (InterruptionGuard::requested())
+            {
+                progress.clear();
+                recorder.save(simulation);
+                return false;
+            }
+        }
+        progress.clear();
+        recorder.record(simulation, with_pictures[k]);
+    }
+    return true;
+}
+
+/// What is ready before the run folder is touched.
+struct Start
+{
+    Preparation made;
+    std::optional<Restored> restored;
+    std::string earlier_versions; ///< of the program, that the checkpoint was made by
+    bool draws = false;
+    std::string no_pictures; ///< why pictures that were asked for are not drawn
+};
+
+Start prepare_start(const RunRequest& request, std::optional<Checkpoint> checkpoint)
+{
+    Start start;
+    start.draws = request.options.output.pictures == "on" && can_render(start.no_pictures);
+    start.made = request.body.empty() ? arrange_body(request.options) : read_body(request.body, request.options);
+    // Not earlier: Gmsh works in a child process, and locks that the renderer's threads hold at a fork stay held there.
+    std::future<void> renderer = start.draws ? start_renderer() : std::future<void>{};
+    connect_body(request.options, start.made);
+    if (start.draws)
+    {
+        renderer.get();
+    }
+    if (checkpoint)
+    {
+        start.earlier_versions = checkpoint->program_version;
+        start.restored = from_checkpoint(*checkpoint, start.made.body.cloud.positions.size(),
+                                         (request.out / "checkpoint.h5").string());
+    }
+    return start;
+}
+
+/// The folder of a run that begins or goes on, without anything of a run that is replaced.
+void open_folder(ResultFolder& folder, const RunRequest& request, const std::string& case_text, bool goes_on)
+{
+    folder.make();
+    require_usable_folder(folder, request); // again: the body may have taken a while
+    if (goes_on)
+    {
+        folder.remove_leftovers();
+    }
+    else
+    {
+        folder.remove_written();
+    }
+    folder.claim(run_files());
+    write_text_atomically(folder.path() / "case.toml", case_text);
+}
+
+std::vector<double> output_times_of(std::span<const Measures> rows)
+{
+    std::vector<double> times;
+    times.reserve(rows.size());
+    for (const Measures& row : rows)
+    {
+        times.push_back(row.t);
+    }
+    return times;
+}
+
+void log_body(spdlog::logger& log, const Preparation& made)
+{
+    const Body& body = made.body;
+    const std::string nodes =
+        fmt::format("{} {}, {} of them on the surface, spacing {:.4g} mm", body.cloud.positions.size(),
+                    body.fem ? "nodes" : "particles", body.cloud.surface_particles.size(), body.cloud.spacing);
+    if (body.fem)
+    {
+        log.info("{} tets, {}", body.fem->elements.tets.size(), nodes);
+    }
+    else
+    {
+        log.info("{}, {:.1f} neighbours, {} pairs dropped because they do not see each other", nodes,
+                 made.report.neighbors_mean, made.report.visibility.dropped_pairs);
+    }
+    for (const std::string& note : made.report.notes)
+    {
+        log.info(note);
+    }
+    if (made.report.input_vertices > 0)
+    {
+        log.info("remeshed {} vertices: area {:+.3f} %, volume {:+.3f} %, at most {:.3g} mm from the input",
+                 made.report.input_vertices, 100.0 * made.report.remesh.area_change,
+                 100.0 * made.report.remesh.volume_change, made.report.remesh.largest_distance_mm);
+    }
+    for (const std::string& warning : made.report.warnings)
+    {
+        log.warn(warning);
+    }
+}
+
+void log_start(spdlog::logger& log, const RunRequest& request, const Start& start, const std::string& versions)
+{
+    log.info("corticle {}, {} threads", program_version(), thread_count());
+    for (const auto& [key, checksum] : request.options.inputs)
+    {
+        log.info("{}: SHA-256 {}", key, checksum);
+    }
+    log_body(log, start.made);
+    if (start.restored && versions != start.earlier_versions)
+    {
+        log.warn("the checkpoint was written by version {}, this is {}: the run goes on, but not to the same bits as "
+                 "with one version",
+                 start.earlier_versions, program_version());
+    }
+    if (!start.no_pictures.empty())
+    {
+        log.warn("no pictures: {}", start.no_pictures);
+    }
+    for (const std::string& warning : start.restored ? dropped_outputs(request.options, start.restored->state.t,
+                                                                       output_times_of(start.restored->rows))
+                                                     : case_warnings(request.options))
+    {
+        log.warn(warning);
+    }
+}
+
+/// From the start, or from where it was left, to the end or an interruption. What fails is recorded.
+RunStatus record_run(const RunRequest& request, Start& start, Recorder& recorder, spdlog::logger& log)
+{
+    std::optional<Simulation> simulation;
+    try
+    {
+        if (start.restored)
+        {
+            log.info("resumed at t = {:.6g}, step {}", start.restored->state.t, start.restored->state.steps);
+            recorder.resume(std::move(start.restored->rows), start.restored->state.steps);
+        }
+        simulation.emplace(start.made.body, request.options);
+        if (start.restored)
+        {
+            simulation->restore(std::move(start.restored->state));
+        }
+        if (!fold(*simulation, recorder, request.options, request.quiet))
+        {
+            recorder.summarize(*simulation, "interrupted");
+            return RunStatus::interrupted;
+        }
+        recorder.draw_measures();
+    }
+    catch (const std::bad_alloc&)
+    {
+        recorder.record_failure(simulation, "out of memory");
+        throw;
+    }
+    catch (const std::exception& error)
+    {
+        recorder.record_failure(simulation, error.what());
+        throw;
+    }
+    recorder.summarize(*simulation, "completed");
+    return RunStatus::completed;
+}
+
+} // namespace
+
+RunStatus simulate(const RunRequest& request)
+{
+    const Recorder::Clock::time_point began = Recorder::Clock::now();
+    set_thread_count(request.threads);
+    const std::string case_text = to_toml(request.options);
+    ResultFolder folder(request.out, "run");
+    require_usable_folder(folder, request);
+    Start start = prepare_start(request, find_checkpoint(request, case_text));
+    const std::string versions = versions_after(start.earlier_versions);
+
+    const InterruptionGuard guard;
+    open_folder(folder, request, case_text, start.restored.has_value());
+    const auto log = make_log(request.out, request.quiet);
+    log_start(*log, request, start, versions);
+    Recorder recorder(request, start.made.report, folder, versions, log, began, start.draws);
+    return record_run(request, start, recorder, *log);
+}
+
+} // namespace corticle

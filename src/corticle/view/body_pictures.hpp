@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/model/body.hpp"
+
+#include <array>
+#include <filesystem>
+
+namespace corticle
+{
+
+/// How well each particle of a prepared body sits, one number per particle.
+struct BodyQuality
+{
+    std::vector<double> nearest_distance; ///< to the nearest particle it has a pair or a tet with [spacings]
+    std::vector<double> volume_over_mean; ///< [-]
+    std::vector<double> condition_number; ///< of the shape matrix [-]; with finite elements of its worst tet: the
+                                          ///< reciprocal of the mean ratio
+};
+
+BodyQuality measure_body_quality(const Body& body);
+
+/// Share of the body's volume that is cortex [-].
+double cortex_share(const Body& body);
+
+/// Names of the pictures that render_body draws.
+inline constexpr std::array body_pictures{"cloud.png", "layer.png", "normals.png", "surface.png", "quality.png"};
+
+/// Pictures of a prepared body: `cloud.png` (cells of the middle cut), `layer.png` (depth), `normals.png`, the surface
+/// (`surface.png`, by regional growth, or by thickness where a map gives it), and `quality.png` (histograms).
+void render_body(const std::filesystem::path& folder, const Body& body, const BodyQuality& quality);
+
+} // namespace corticle

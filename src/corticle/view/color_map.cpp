@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/view/color_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace corticle
+{
+
+namespace
+{
+
+// Equidistant samples, 0 to 255. Viridis: S. van der Walt and N. Smith (2015). Coolwarm: K. Moreland (2009).
+constexpr std::array<Color, 9> viridis{{{68, 1, 84},
+                                        {71, 45, 123},
+                                        {59, 82, 139},
+                                        {44, 114, 142},
+                                        {33, 144, 141},
+                                        {39, 173, 129},
+                                        {93, 200, 99},
+                                        {170, 220, 50},
+                                        {253, 231, 37}}};
+constexpr std::array<Color, 9> coolwarm{{{59, 76, 192},
+                                         {98, 130, 234},
+                                         {141, 176, 254},
+                                         {184, 208, 249},
+                                         {221, 221, 221},
+                                         {245, 196, 173},
+                                         {244, 154, 123},
+                                         {222, 96, 77},
+                                         {180, 4, 38}}};
+constexpr std::array<Color, 2> tissue{{{208, 218, 228}, {196, 78, 62}}};
+constexpr Color grey{0.5, 0.5, 0.5};
+
+std::span<const Color> samples_of(const std::string& map)
+{
+    if (map == "coolwarm")
+    {
+        return coolwarm;
+    }
+    return map == "tissue" ? std::span<const Color>(tissue) : std::span<const Color>(viridis);
+}
+
+} // namespace
+
+Color map_color(const std::string& map, double fraction)
+{
+    if (std::isnan(fraction))
+    {
+        return grey;
+    }
+    const std::span<const Color> samples = samples_of(map);
+    const double position = std::clamp(fraction, 0.0, 1.0) * static_cast<double>(samples.size() - 1);
+    const std::size_t left = std::min(static_cast<std::size_t>(position), samples.size() - 2);
+    const double weight = position - static_cast<double>(left);
+    Color color{};
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+        color[i] = ((1.0 - weight) * samples[left][i] + weight * samples[left + 1][i]) / 255.0;
+    }
+    return color;
+}
+
+} // namespace corticle

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/model/simulation.hpp"
+
+#include "corticle/base/error.hpp"
+#include "corticle/base/parallel.hpp"
+#include "corticle/formats/tets/gmsh_writer.hpp"
+#include "corticle/geometry/shapes.hpp"
+#include "corticle/geometry/tetrahedralize.hpp"
+#include "corticle/record/body_file.hpp"
+#include "corticle/record/checkpointing.hpp"
+#include "formats/temporary_folder.hpp"
+#include "mechanics/fem/small_tets.hpp"
+#include "model/same_bits.hpp"
+
+#include <gtest/gtest.h>
+
+namespace corticle
+{
+namespace
+{
+
+Options fem_options()
+{
+    Options options;
+    options.method = Method::fem;
+    options.elements = 5000;
+    options.contact.distance = 0.6; // contact is at work where the start is rough
+    options.tissue.thickness_rate_mm = 0.4;
+    return options;
+}
+
+Simulation rough_start(Body& body, const Options& options)
+{
+    Simulation simulation(body, options);
+    State state;
+    state.motion.x = test::perturbed(body.cloud.positions, 0.15 * body.cloud.spacing);
+    state.motion.v.resize(state.motion.x.size());
+    simulation.restore(std::move(state));
+    return simulation;
+}
+
+using test::expect_same_bits;
+using test::take_steps;
+
+TEST(FemSimulation, OneAndTwoThreadsGiveTheSameBitsFromTheMeshOn)
+{
+    const Options options = fem_options();
+    const int threads = thread_count();
+    set_thread_count(1);
+    Body body_of_one = prepare_body(options).body;
+    Simulation one = rough_start(body_of_one, options);
+    take_steps(one, 40);
+    set_thread_count(2);
+    Body body_of_two = prepare_body(options).body;
+    Simulation two = rough_start(body_of_two, options);
+    take_steps(two, 40);
+    set_thread_count(threads);
+    ASSERT_EQ(body_of_one.fem->elements.tets, body_of_two.fem->elements.tets);
+    expect_same_bits(one, two);
+}
+
+TEST(FemSimulation, GoesOnFromACheckpointAndABodyFileToTheSameBits)
+{
+    const Options options = fem_options();
+    const TemporaryFolder folder;
+    Preparation made = prepare_body(options);
+    Body& body = made.body;
+    write_body(folder / "body.h5", made, options);
+    Simulation whole = rough_start(body, options);
+    take_steps(whole, 20);
+    EXPECT_GT(whole.contact().active, 0);
+    const Checkpoint checkpoint = to_checkpoint(whole.state(), {}, "case");
+    take_steps(whole, 20);
+
+    Preparation made_again = read_body(folder / "body.h5", options);
+    connect_body(options, made_again);
+    Body& read = made_again.body;
+    Simulation resumed(read, options);
+    resumed.restore(from_checkpoint(checkpoint, read.cloud.positions.size(), "checkpoint.h5").state);
+    take_steps(resumed, 20);
+    expect_same_bits(whole, resumed);
+
+    Options particles = options;
+    particles.method = Method::tlsph;
+    particles.elements.reset();
+    EXPECT_THROW(read_body(folder / "body.h5", particles), InputError);
+}
+
+TEST(FemSimulation, EnergyBooksOfGrowthBalance)
+{
+    Options options;
+    options.method = Method::fem;
+    options.elements = 10000;
+    options.contact.enabled = false;
+    options.dynamics.cfl = 0.3;
+    Body body = prepare_body(options).body;
+    Simulation simulation(body, options);
+    while (simulation.state().t < 0.1)
+    {
+        simulation.step(0.1);
+    }
+    const State& state = simulation.state();
+    const double stored = simulation.internal().elastic_energy;
+    EXPECT_NEAR((stored + state.kinetic_energy + state.books.dissipated) / state.books.growth_work, 1.0, 0.002);
+    EXPECT_LT(state.kinetic_energy, 0.05 * stored);
+}
+
+TEST(FemBody, SharesItsSurfaceWithTheParticlesOfTheSameSpacing)
+{
+    Options options;
+    options.geometry.spacing_mm = 1.5;
+    const Body particles = prepare_body(options).body;
+    options.method = Method::fem;
+    const Body elements = prepare_body(options).body;
+    options.method = Method::tlsph;
+    options.geometry.arrangement = "mesh_nodes";
+    const Body nodes = prepare_body(options).body;
+    EXPECT_EQ(particles.surface.vertices, elements.surface.vertices);
+    EXPECT_NEAR(elements.cloud.spacing / 1.5, 1.0, 0.03);
+    EXPECT_EQ(nodes.cloud.positions, elements.cloud.positions);
+    EXPECT_EQ(nodes.cloud.volumes, elements.cloud.volumes);
+    EXPECT_FALSE(nodes.fem);
+}
+
+TEST(FemBody, TakesTheTetsOfAFileAsTheyAre)
+{
+    const TemporaryFolder folder;
+    const TriangleMesh surface = make_ellipsoid({8.0, 8.0, 8.0}, 1.5);
+    const TetMesh mesh = tetrahedralize(surface, 900);
+    write_tets_msh(folder / "ball.msh", mesh);
+    Options options;
+    options.method = Method::fem;
+    options.geometry.shape = "file";
+    options.geometry.file = (folder / "ball.msh").string();
+    options.geometry.arrangement = "tet_nodes";
+    const Body body = prepare_body(options).body;
+    EXPECT_EQ(body.fem->elements.tets.size(), mesh.tets.size());
+    EXPECT_EQ(body.cloud.positions.size(), mesh.vertices.size());
+    EXPECT_NEAR(mesh_volume({body.fem->elements.X, body.fem->elements.tets}) / mesh_volume(mesh), 1.0, 1e-12);
+    options.geometry.arrangement = "body_fitted";
+    options.elements = 6000;
+    EXPECT_NEAR(static_cast<double>(prepare_body(options).body.fem->elements.tets.size()) / 6000.0, 1.0, 0.1);
+}
+
+} // namespace
+} // namespace corticle

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/mechanics/fem/solver.hpp"
+
+#include "corticle/base/error.hpp"
+#include "corticle/base/parallel.hpp"
+#include "corticle/material/neo_hookean.hpp"
+#include "mechanics/fem/small_tets.hpp"
+#include "momenta.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+namespace corticle
+{
+namespace
+{
+
+using test::affine;
+using test::ElementBody;
+using test::largest_norm;
+using test::perturbed;
+
+const Mat3 stretch{{{1.2, 0.05, -0.1}, {0.1, 0.9, 0.2}, {-0.15, 0.1, 1.1}}};
+
+TEST(FemExactness, RestIsFreeOfStrainAndForce)
+{
+    const ElementBody body = test::layered_block();
+    FemSolver solver(body.elements, body.tissue);
+    std::vector<Vec3> forces(body.elements.X.size());
+    const InternalResponse response = solver.evaluate(body.elements.X, 0.0, forces);
+    EXPECT_EQ(response.invalid_at, -1);
+    EXPECT_EQ(response.barrier_count + response.extrapolated_count + response.inverted_count, 0);
+    EXPECT_NEAR(response.smallest_J, 1.0, 1e-12);
+    EXPECT_LT(largest_norm(forces), 1e-12);
+}
+
+/// The block of eight is filled up; what fills it is no tet and has no J.
+TEST(FemExactness, SmallestJOfATetCountThatIsNoMultipleOfEight)
+{
+    const ElementBody body = test::plain_elements(test::tet_box(3, {-1, -1, -1}, {1, 1, 1}));
+    ASSERT_NE(body.elements.tets.size() % 8, 0u);
+    FemSolver solver(body.elements, body.tissue);
+    const std::vector<Vec3> x = affine(body.elements.X, stretch);
+    std::vector<Vec3> forces(x.size());
+    const InternalResponse response = solver.evaluate(x, 0.0, forces);
+    EXPECT_NEAR(response.smallest_J, determinant(stretch), 1e-12);
+    ASSERT_GE(response.smallest_J_at, 0);
+    EXPECT_LT(response.smallest_J_at, std::ssize(body.elements.tets));
+    EXPECT_EQ(response.extrapolated_count + response.inverted_count, 0);
+}
+
+/// Every inner node of an irregular mesh is in equilibrium under an affine motion, and F is that of the motion.
+TEST(FemExactness, PatchTest)
+{
+    TetMesh mesh = test::tet_box(4, {-1, -1, -1}, {1, 1, 1});
+    std::vector<char> is_inner(mesh.vertices.size());
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+    {
+        const Vec3& X = mesh.vertices[i];
+        is_inner[i] = std::max({std::abs(X.x), std::abs(X.y), std::abs(X.z)}) < 0.99;
+        mesh.vertices[i] += (is_inner[i] ? 0.08 : 0.0) * test::random_vector(3, i);
+    }
+    const ElementBody body = test::plain_elements(mesh);
+    FemSolver solver(body.elements, body.tissue);
+    const std::vector<Vec3> x = affine(mesh.vertices, stretch, {3.0, -7.0, 2.0});
+    std::vector<Vec3> forces(x.size());
+    const InternalResponse response = solver.evaluate(x, 0.0, forces);
+    // W of the law at this F, everywhere.
+    const NeoHookean law{1.0, 5.0, 0.3};
+    const ElasticResponse expected = law.respond(stretch);
+    EXPECT_NEAR(response.elastic_energy / (8.0 * (expected.deviatoric_energy + expected.volumetric_energy)), 1.0,
+                1e-12);
+    EXPECT_NEAR(response.smallest_J, determinant(stretch), 1e-12);
+    for (const Mat3& F : solver.deformation_gradients(x))
+    {
+        EXPECT_LT(test::largest_difference(F, stretch), 1e-12);
+    }
+    for (std::size_t i = 0; i < x.size(); ++i)
+    {
+        if (is_inner[i])
+        {
+            EXPECT_LT(norm(forces[i]), 1e-13);
+        }
+    }
+    Mat3 moment; // what the surface is pulled with: sum f X^T = -V P
+    for (std::size_t i = 0; i < x.size(); ++i)
+    {
+        moment += outer(forces[i], mesh.vertices[i]);
+    }
+    EXPECT_LT(test::largest_difference(moment, (-8.0) * expected.stress), 1e-12);
+}
+
+TEST(FemExactness, RigidRotationCostsNothing)
+{
+    const ElementBody body = test::layered_block();
+    FemSolver solver(body.elements, body.tissue);
+    const Mat3 Q = test::rotation(Vec3{2, -1, 2} / 3.0, 2.3);
+    const std::vector<Vec3> x = affine(body.elements.X, Q, {1.0, 2.0, 3.0});
+    std::vector<Vec3> forces(x.size());
+    EXPECT_LT(std::abs(solver.evaluate(x, 0.0, forces).elastic_energy), 1e-11);
+    EXPECT_LT(largest_norm(forces), 1e-12);
+}
+
+TEST(FemExactness, FreeIsotropicGrowthIsFreeOfForceAndStress)
+{
+    ElementBody body = test::layered_block();
+    body.tissue.options.alpha_r = body.tissue.options.alpha_t;
+    body.tissue.options.alpha_white = body.tissue.options.alpha_t;
+    std::ranges::fill(body.tissue.regional_rate, 1.0);
+    const double t = 0.4;
+    const double g = 1.0 + body.tissue.options.alpha_t * t;
+    FemSolver solver(body.elements, body.tissue);
+    const std::vector<Vec3> x = affine(body.elements.X, g * Mat3::identity());
+    std::vector<Vec3> forces(x.size());
+    const InternalResponse response = solver.evaluate(x, t, forces);
+    EXPECT_LT(largest_norm(forces), 1e-11);
+    EXPECT_LT(std::abs(response.elastic_energy), 1e-11);
+    EXPECT_NEAR(response.smallest_J, g * g * g, 1e-11);
+}
+
+TEST(FemExactness, BothMomentaAreConserved)
+{
+    const ElementBody body = test::layered_block();
+    FemSolver solver(body.elements, body.tissue);
+    const std::vector<Vec3> x = perturbed(affine(body.elements.X, stretch, {5.0, 0.0, -3.0}), 0.05);
+    std::vector<Vec3> forces(x.size());
+    ASSERT_EQ(solver.evaluate(x, 0.3, forces).invalid_at, -1);
+    test::expect_momenta_conserved(x, forces);
+}
+
+TEST(FemExactness, OneAndTwoThreadsGiveTheSameBits)
+{
+    const ElementBody body = test::layered_block();
+    FemSolver solver(body.elements, body.tissue);
+    const std::vector<Vec3> x = perturbed(body.elements.X, 0.1);
+    const int threads = thread_count();
+    std::vector<Vec3> one(x.size());
+    std::vector<Vec3> two(x.size());
+    set_thread_count(1);
+    const InternalResponse by_one = solver.evaluate(x, 0.3, one);
+    set_thread_count(2);
+    const InternalResponse by_two = solver.evaluate(x, 0.3, two);
+    set_thread_count(threads);
+    EXPECT_EQ(one, two);
+    EXPECT_EQ(by_one.elastic_energy, by_two.elastic_energy);
+    EXPECT_EQ(by_one.growth_power, by_two.growth_power);
+    EXPECT_EQ(by_one.stiffest_rate, by_two.stiffest_rate);
+    EXPECT_EQ(by_one.smallest_J_at, by_two.smallest_J_at);
+}
+
+TEST(FemExactness, InvertedElementsSurviveAndAreCounted)
+{
+    ElementBody body = test::layered_block();
+    body.tissue.options.barrier_J = 0.0;
+    FemSolver solver(body.elements, body.tissue);
+    std::vector<Vec3> x = body.elements.X;
+    // A node pushed through the opposite face of one of its tets.
+    const Tet& tet = body.elements.tets[1500];
+    const Vec3 face = (1.0 / 3.0) * (x[tet[1]] + x[tet[2]] + x[tet[3]]);
+    x[tet[0]] += 1.3 * (face - x[tet[0]]);
+    std::vector<Vec3> forces(x.size());
+    const InternalResponse response = solver.evaluate(x, 0.0, forces);
+    EXPECT_EQ(response.invalid_at, -1);
+    EXPECT_LT(response.smallest_J, 0.0);
+    EXPECT_GE(response.inverted_count, 1);
+    EXPECT_GE(response.extrapolated_count, response.inverted_count);
+    EXPECT_LT(response.extrapolated_count, 20);
+    EXPECT_TRUE(std::isfinite(response.elastic_energy));
+    // The forces push the node back.
+    EXPECT_LT(dot(forces[tet[0]], face - body.elements.X[tet[0]]), 0.0);
+}
+
+TEST(FemExactness, ACollapsedNodeOrNoNumberIsInvalidAndDescribed)
+{
+    const ElementBody body = test::layered_block();
+    FemSolver solver(body.elements, body.tissue);
+    std::vector<Vec3> forces(body.elements.X.size());
+    const std::vector<Vec3> mirrored = affine(body.elements.X, Mat3::diagonal(-1, 1, 1));
+    EXPECT_EQ(solver.evaluate(mirrored, 0.0, forces).invalid_at, 0);
+    EXPECT_NE(solver.diagnosis(0, mirrored).find("J = -1"), std::string::npos);
+    std::vector<Vec3> x = body.elements.X;
+    x[123].y = std::nan("");
+    EXPECT_GE(solver.evaluate(x, 0.0, forces).invalid_at, 0);
+}
+
+TEST(FemElements, PartsOfTheNodesHoldEveryTetOnce)
+{
+    const ElementBody body = test::layered_block();
+    const TetElements& elements = body.elements;
+    EXPECT_EQ(elements.part.size(), elements.chunk_node.size());
+    for (std::size_t e = 0; e < elements.tets.size(); ++e)
+    {
+        for (std::size_t a = 0; a < 4; ++a)
+        {
+            const std::int64_t first = elements.chunk_begin[e / parallel_block];
+            const std::uint16_t corner = elements.blocks[e / wide_lanes].corner[a][e % wide_lanes];
+            ASSERT_EQ(elements.chunk_node[first + corner], elements.tets[e][a]);
+        }
+    }
+    EXPECT_NEAR(std::accumulate(elements.node_volume.begin(), elements.node_volume.end(), 0.0),
+                std::accumulate(elements.volume.begin(), elements.volume.end(), 0.0), 1e-10);
+}
+
+TEST(FemElements, ATetWithoutVolumeIsRefused)
+{
+    TetMesh mesh = test::tet_box(1, {0, 0, 0}, {1, 1, 1});
+    std::swap(mesh.tets[3][0], mesh.tets[3][1]);
+    EXPECT_THROW(make_elements(mesh.vertices, mesh.tets, 1.0), InputError);
+}
+
+} // namespace
+} // namespace corticle

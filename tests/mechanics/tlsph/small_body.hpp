@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/base/random.hpp"
+#include "corticle/config/options.hpp"
+#include "corticle/prepare/body.hpp"
+
+namespace corticle::test
+{
+
+/// Options of the thesis's sphere (radius 12.496 mm) with this many particles.
+inline Options sphere_options(std::int64_t particles)
+{
+    Options options;
+    options.geometry.shape = "sphere";
+    options.geometry.radius_mm = 12.496;
+    options.geometry.particles = particles;
+    options.imperfection.amplitude = 0.0; // what is exact is to be so
+    return options;
+}
+
+/// A sphere of about 2,500 particles, irregular, prepared once for all tests; take a copy to change it.
+inline const Body& small_sphere()
+{
+    static const Body body = prepare_body(sphere_options(2500)).body;
+    return body;
+}
+
+/// A vector with components in [-1, 1) for a counter.
+inline Vec3 random_vector(std::uint64_t seed, std::uint64_t counter)
+{
+    const auto component = [&](std::uint64_t axis) { return 2.0 * hash_uniform(seed, 3 * counter + axis) - 1.0; };
+    return {component(0), component(1), component(2)};
+}
+
+inline double largest_norm(std::span<const Vec3> vectors)
+{
+    double largest = 0.0;
+    for (const Vec3& v : vectors)
+    {
+        largest = std::max(largest, norm(v));
+    }
+    return largest;
+}
+
+/// Positions A X + c.
+inline std::vector<Vec3> affine(std::span<const Vec3> X, const Mat3& A, const Vec3& c = {})
+{
+    std::vector<Vec3> x;
+    for (const Vec3& point : X)
+    {
+        x.push_back(A * point + c);
+    }
+    return x;
+}
+
+/// Every position moved by up to `amplitude` along each axis.
+inline std::vector<Vec3> perturbed(std::span<const Vec3> positions, double amplitude, std::uint64_t seed = 7)
+{
+    std::vector<Vec3> x(positions.begin(), positions.end());
+    for (std::size_t i = 0; i < x.size(); ++i)
+    {
+        x[i] += amplitude * random_vector(seed, i);
+    }
+    return x;
+}
+
+/// Rotation by an angle about a unit axis (Rodrigues).
+inline Mat3 rotation(const Vec3& axis, double angle)
+{
+    const Mat3 K{{{0, axis.z, -axis.y}, {-axis.z, 0, axis.x}, {axis.y, -axis.x, 0}}};
+    return Mat3::identity() + std::sin(angle) * K + (1.0 - std::cos(angle)) * (K * K);
+}
+
+/// Largest absolute entry of a - b.
+inline double largest_difference(const Mat3& a, const Mat3& b)
+{
+    double largest = 0.0;
+    for (int row = 0; row < 3; ++row)
+    {
+        for (int col = 0; col < 3; ++col)
+        {
+            largest = std::max(largest, std::abs(a(row, col) - b(row, col)));
+        }
+    }
+    return largest;
+}
+
+} // namespace corticle::test

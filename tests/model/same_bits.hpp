@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/model/simulation.hpp"
+
+#include <gtest/gtest.h>
+
+namespace corticle::test
+{
+
+inline void take_steps(Simulation& simulation, int count)
+{
+    for (int k = 0; k < count; ++k)
+    {
+        simulation.step(1.0);
+    }
+}
+
+inline void expect_same_bits(const Simulation& a, const Simulation& b)
+{
+    EXPECT_EQ(a.state().motion.x, b.state().motion.x);
+    EXPECT_EQ(a.state().motion.v, b.state().motion.v);
+    EXPECT_EQ(a.state().motion.force, b.state().motion.force);
+    EXPECT_EQ(a.state().t, b.state().t);
+    EXPECT_EQ(a.state().steps, b.state().steps);
+    EXPECT_EQ(a.state().step_scale, b.state().step_scale);
+    EXPECT_EQ(a.state().kinetic_energy, b.state().kinetic_energy);
+    EXPECT_EQ(a.state().books.growth_work, b.state().books.growth_work);
+    EXPECT_EQ(a.state().books.dissipated, b.state().books.dissipated);
+    EXPECT_EQ(a.state().lowest_gi_sphere, b.state().lowest_gi_sphere);
+    EXPECT_EQ(a.state().loading_rate, b.state().loading_rate);
+    EXPECT_EQ(a.step_size(), b.step_size());
+    EXPECT_EQ(a.internal().elastic_energy, b.internal().elastic_energy);
+    EXPECT_EQ(a.contact().active, b.contact().active);
+}
+
+} // namespace corticle::test

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/model/simulation.hpp"
+
+#include "corticle/base/error.hpp"
+#include "corticle/base/parallel.hpp"
+#include "corticle/record/checkpointing.hpp"
+#include "formats/temporary_folder.hpp"
+#include "mechanics/tlsph/small_body.hpp"
+#include "model/same_bits.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace corticle
+{
+namespace
+{
+
+/// Positions a little rough, so that no symmetry hides anything; folds are said to be there, so that the loading is
+/// free.
+State rough_start(const Body& body, double amplitude)
+{
+    State state;
+    state.motion.x = test::perturbed(body.cloud.positions, amplitude * body.cloud.spacing);
+    state.motion.v.resize(state.motion.x.size());
+    state.onset_t = 0.0;
+    state.loading_rate = 2.0;
+    return state;
+}
+
+using test::expect_same_bits;
+using test::take_steps;
+using testing::ContainsRegex;
+using testing::HasSubstr;
+
+TEST(Simulation, OneAndTwoThreadsGiveTheSameBits)
+{
+    const Options options = test::sphere_options(2500);
+    Body body = test::small_sphere();
+    const int threads = thread_count();
+    set_thread_count(1);
+    Simulation one(body, options);
+    one.restore(rough_start(body, 0.05));
+    take_steps(one, 50);
+    set_thread_count(2);
+    Simulation two(body, options);
+    two.restore(rough_start(body, 0.05));
+    take_steps(two, 50);
+    set_thread_count(threads);
+    EXPECT_GT(one.state().loading_rate, 1.0);
+    expect_same_bits(one, two);
+}
+
+TEST(Simulation, GoesOnFromACheckpointToTheSameBits)
+{
+    Options options = test::sphere_options(2500);
+    options.tissue.thickness_rate_mm = 0.4; // theta follows t
+    options.contact.distance = 0.6;         // and contact is at work
+    Body body = test::small_sphere();
+    body.tissue.options = options.tissue;
+    body.tissue.theta_is_fixed = false;
+    Simulation whole(body, options);
+    whole.restore(rough_start(body, 0.2));
+    take_steps(whole, 25);
+    EXPECT_GT(whole.contact().active, 0);
+    std::vector<Measures> rows(2);
+    rows[1].area_mm2 = 17.25;
+    const Checkpoint checkpoint = to_checkpoint(whole.state(), rows, "case");
+    EXPECT_GT(whole.state().loading_rate, 1.0);
+    take_steps(whole, 25);
+
+    const Restored restored = from_checkpoint(checkpoint, body.cloud.positions.size(), "checkpoint.h5");
+    ASSERT_EQ(restored.rows.size(), 2u);
+    EXPECT_EQ(restored.rows[1].area_mm2, 17.25);
+    Body other_body = test::small_sphere();
+    other_body.tissue.options = options.tissue;
+    other_body.tissue.theta_is_fixed = false;
+    Simulation resumed(other_body, options);
+    resumed.restore(restored.state);
+    take_steps(resumed, 25);
+    expect_same_bits(whole, resumed);
+    EXPECT_EQ(whole.state().rejected_steps, resumed.state().rejected_steps);
+    EXPECT_EQ(whole.state().onset_t, resumed.state().onset_t);
+}
+
+TEST(Simulation, ACheckpointOfAnotherBodyIsRefused)
+{
+    State state;
+    state.motion.x.resize(10);
+    state.motion.v.resize(10);
+    EXPECT_THROW(from_checkpoint(to_checkpoint(state, {}, "case"), 11, "checkpoint.h5"), InputError);
+    EXPECT_THROW(from_checkpoint({}, 10, "checkpoint.h5"), InputError);
+}
+
+TEST(Simulation, TakesBackAStepThatInvertsAParticleAndGoesOn)
+{
+    Options options = test::sphere_options(2500);
+    options.contact.enabled = false;
+    options.dynamics.cfl = 5.0; // far beyond stability
+    options.dynamics.max_halvings = 30;
+    Body body = test::small_sphere();
+    Simulation simulation(body, options);
+    simulation.restore(rough_start(body, 0.1));
+    take_steps(simulation, 60);
+    EXPECT_GT(simulation.state().rejected_steps, 0);
+    EXPECT_EQ(simulation.state().steps, 60);
+    EXPECT_LE(simulation.state().step_scale, 1.0);
+    EXPECT_GT(simulation.internal().smallest_J, 0.0);
+    for (const Vec3& x : simulation.state().motion.x)
+    {
+        ASSERT_TRUE(is_finite(x));
+    }
+}
+
+/// Steps taken back again and again, with some accepted between them, never come to max_halvings in a row.
+TEST(Simulation, AStepThatHasCollapsedEndsTheRunWithADiagnosis)
+{
+    const Options options = test::sphere_options(2500);
+    Body body = test::small_sphere();
+    Simulation simulation(body, options);
+    State state = rough_start(body, 0.05);
+    state.step_scale = 1e-6;
+    state.rejected_steps = 1234;
+    simulation.restore(state);
+    const std::string message = message_of<RunError>([&] { simulation.step(1.0); });
+    EXPECT_THAT(message, HasSubstr("the step has collapsed at step 1"));
+    EXPECT_THAT(message, HasSubstr("1234 steps taken back so far"));
+    EXPECT_THAT(message, ContainsRegex("most compressed: particle [0-9]+: position"));
+}
+
+/// A crushed body, whose rate has no bound: no endless loop of steps of no length.
+TEST(Simulation, ABodyCrushedToNothingEndsTheRun)
+{
+    Options options = test::sphere_options(2500);
+    options.contact.enabled = false;
+    Body body = test::small_sphere();
+    Simulation simulation(body, options);
+    State state = rough_start(body, 0.0);
+    for (Vec3& x : state.motion.x)
+    {
+        x *= 1e-40;
+    }
+    EXPECT_THROW(
+        {
+            simulation.restore(state);
+            simulation.step(1.0);
+        },
+        RunError);
+}
+
+TEST(Simulation, GivesUpWithADiagnosis)
+{
+    Options options = test::sphere_options(2500);
+    options.contact.enabled = false;
+    options.dynamics.cfl = 5.0;
+    options.dynamics.max_halvings = 0;
+    Body body = test::small_sphere();
+    Simulation simulation(body, options);
+    simulation.restore(rough_start(body, 0.1));
+    try
+    {
+        take_steps(simulation, 200);
+        FAIL() << "no step failed";
+    }
+    catch (const RunError& error)
+    {
+        using testing::HasSubstr;
+        EXPECT_THAT(error.what(), testing::AllOf(HasSubstr("particle "), HasSubstr("step "), HasSubstr("t = "),
+                                                 HasSubstr("J = "), HasSubstr("F = "), HasSubstr(" neighbours")));
+        EXPECT_THAT(error.what(), HasSubstr(std::to_string(simulation.state().steps + 1)));
+    }
+}
+
+TEST(Simulation, AnInvertedStartIsRefused)
+{
+    const Options options = test::sphere_options(2500);
+    Body body = test::small_sphere();
+    Simulation simulation(body, options);
+    State state = rough_start(body, 0.0);
+    state.motion.x = test::affine(state.motion.x, Mat3::diagonal(1, 1, -1));
+    EXPECT_THROW(simulation.restore(state), RunError);
+}
+
+TEST(Simulation, StopsAtTheTimeItIsToldTo)
+{
+    const Options options = test::sphere_options(2500);
+    Body body = test::small_sphere();
+    Simulation simulation(body, options);
+    const double t_stop = 2.5 * simulation.step_size();
+    int steps = 0;
+    for (; simulation.state().t < t_stop; ++steps)
+    {
+        simulation.step(t_stop);
+    }
+    EXPECT_EQ(simulation.state().t, t_stop);
+    EXPECT_EQ(steps, 3);
+}
+
+TEST(Simulation, LoadingTimeIsCountedInCrossingsOfTheBody)
+{
+    Options options = test::sphere_options(2500);
+    options.dynamics.loading_time = 40.0;
+    Body body = test::small_sphere();
+    const Simulation simulation(body, options);
+    // T = 40 R / c_p with c_p = sqrt(5 + 4/3) at density 1; R from the particles' volumes, which sum to the sphere's.
+    EXPECT_NEAR(simulation.total_time() / (40.0 * 12.496 / std::sqrt(5.0 + 4.0 / 3.0)), 1.0, 1e-9);
+}
+
+TEST(Simulation, LoadsFasterOnceFoldsHaveAppeared)
+{
+    Options options = test::sphere_options(2500);
+    Body body = test::small_sphere();
+    Simulation simulation(body, options);
+    while (simulation.state().t < 0.17)
+    {
+        simulation.step(0.17);
+    }
+    EXPECT_EQ(simulation.state().loading_rate, 1.0);
+
+    State folded = simulation.state();
+    folded.onset_t = 0.17;
+    simulation.restore(folded);
+    double last = 1.0;
+    while (simulation.state().t < 0.27)
+    {
+        simulation.step(0.27);
+        const double rate = simulation.state().loading_rate;
+        ASSERT_NEAR(rate / last, 1.0, 0.05); // no jolts
+        ASSERT_LE(rate, options.dynamics.fastest_loading);
+        last = rate;
+    }
+    EXPECT_GT(last, 1.5);
+    const double step_in_t = simulation.step_size();
+
+    State snapping = simulation.state();
+    for (Vec3& v : snapping.motion.v)
+    {
+        v = 10.0 * v;
+    }
+    simulation.restore(snapping);
+    EXPECT_EQ(simulation.step_size(), step_in_t);
+    take_steps(simulation, 10);
+    EXPECT_LT(simulation.state().loading_rate, last);
+
+    options.dynamics.fastest_loading = 1.0;
+    Simulation constant(body, options);
+    constant.restore(folded);
+    take_steps(constant, 10);
+    EXPECT_EQ(constant.state().loading_rate, 1.0);
+}
+
+} // namespace
+} // namespace corticle
