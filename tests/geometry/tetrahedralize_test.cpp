@@ -7,6 +7,7 @@
 #include "corticle/geometry/shapes.hpp"
 #include "corticle/geometry/validate_tets.hpp"
 #include "formats/temporary_folder.hpp"
+#include "mesh/mesh_volume.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -5,6 +5,7 @@
 #include "corticle/mechanics/fem/solver.hpp"
 #include "geometry/simple_tets.hpp"
 #include "mechanics/tlsph/small_body.hpp"
+#include "mesh/mesh_volume.hpp"
 
 namespace corticle::test
 {
