@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "corticle/prepare/options.hpp"
 #include "corticle/study/comparison.hpp"
 #include "corticle/study/sweep/sweep.hpp"
 
@@ -53,7 +54,7 @@ int prepare_command(const PrepareArguments& arguments);
 struct NewArguments
 {
     std::string what; ///< "brain", or the case to write
-    std::string shape = "sphere";
+    Shape shape = Shape::sphere;
 };
 int new_command(const NewArguments& arguments);
 

@@ -14,6 +14,7 @@
 #include <cstdio>
 #include <functional>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <new>
 
@@ -36,6 +37,15 @@ int complain(std::string message, int status)
     message.erase(message.find_last_not_of(' ') + 1);
     std::fprintf(stderr, "corticle: error: %s\n", message.c_str());
     return status;
+}
+
+/// An option that is one of these names.
+template <class T>
+CLI::Option* add_choice(CLI::App& verb, const std::string& name, T& chosen, const std::map<std::string, T>& choices,
+                        const std::string& meaning)
+{
+    const auto take = [&chosen, choices](const std::string& word) { chosen = choices.at(word); };
+    return verb.add_option_function<std::string>(name, take, meaning)->check(CLI::IsMember(choices));
 }
 
 void add_overrides(CLI::App& verb, std::vector<std::string>& overrides)
@@ -119,10 +129,11 @@ void add_new(CLI::App& app, Verb& chosen)
     verb->add_option("case", arguments->what, "Case to write; brain: the phantom, as brain.nii.gz and brain.toml")
         ->type_name("NAME.toml|brain")
         ->required();
-    verb->add_option("--shape", arguments->shape, "sphere, ellipsoid or file")
-        ->capture_default_str()
-        ->type_name("SHAPE")
-        ->check(CLI::IsMember({"sphere", "ellipsoid", "file"}));
+    const std::map<std::string, Shape> shapes{
+        {"sphere", Shape::sphere}, {"ellipsoid", Shape::ellipsoid}, {"file", Shape::file}};
+    add_choice(*verb, "--shape", arguments->shape, shapes, "sphere, ellipsoid or file")
+        ->default_str("sphere")
+        ->type_name("SHAPE");
     verb->callback([arguments, &chosen] { chosen = [arguments] { return new_command(*arguments); }; });
 }
 
@@ -147,17 +158,16 @@ void add_schema(CLI::App& app, Verb& chosen)
 /// How a real brain is read, for the verbs that measure one.
 void add_real_surface(CLI::App& verb, RealSurfaceOptions& options)
 {
-    verb.add_option("--unit", options.unit, "Unit of length of surface files: mm, cm or m")
-        ->capture_default_str()
-        ->type_name("UNIT")
-        ->check(CLI::IsMember({"mm", "cm", "m"}));
-    verb.add_option_function<std::string>(
-            "--coordinates",
-            [&options](const std::string& choice)
-            { options.coordinates = choice == "file" ? Coordinates::file : Coordinates::scanner; },
-            "scanner: brought to the scanner's where the file says how (default); file: as they are")
-        ->type_name("WHICH")
-        ->check(CLI::IsMember({"scanner", "file"}));
+    const std::map<std::string, UnitOfLength> units{
+        {"mm", UnitOfLength::mm}, {"cm", UnitOfLength::cm}, {"m", UnitOfLength::m}};
+    add_choice(verb, "--unit", options.unit, units, "Unit of length of surface files: mm, cm or m")
+        ->default_str("mm")
+        ->type_name("UNIT");
+    const std::map<std::string, Coordinates> coordinates{{"scanner", Coordinates::scanner},
+                                                         {"file", Coordinates::file}};
+    add_choice(verb, "--coordinates", options.coordinates, coordinates,
+               "scanner: brought to the scanner's where the file says how (default); file: as they are")
+        ->type_name("WHICH");
     verb.add_option("--labels", options.mask.labels, "Labels of a label volume that are the body (default: all but 0)")
         ->type_name("A,B,...")
         ->delimiter(',')

@@ -45,7 +45,7 @@ TEST(CaseFile, ReadsEveryType)
     const Options options = parse("[geometry]\nshape = \"ellipsoid\"\nsemi_axes_mm = [10, 9.5, 8]\nspacing_mm = 0.5\n"
                                   "seed = 7\n[tissue]\nlayer = \"binary\"\nbulk = 'uniform'\nmu_cortex = 1\n"
                                   "[contact]\nenabled = false\n[output]\ntimes = [0.1, 0.5, 1]\n");
-    EXPECT_EQ(options.geometry.shape, "ellipsoid");
+    EXPECT_EQ(options.geometry.shape, Shape::ellipsoid);
     EXPECT_EQ(options.geometry.semi_axes_mm, (std::array<double, 3>{10.0, 9.5, 8.0}));
     EXPECT_EQ(options.geometry.spacing_mm, 0.5);
     EXPECT_FALSE(options.geometry.particles);
@@ -63,7 +63,7 @@ TEST(CaseFile, OverridesAreTomlOrBareStrings)
                                   {"time.end = 0.25", "geometry.shape=ellipsoid", "contact.enabled=false",
                                    "output.times=[0.1, 0.2]", "output.pictures=\"off\"", "geometry.particles=1_000"});
     EXPECT_EQ(options.time.end, 0.25);
-    EXPECT_EQ(options.geometry.shape, "ellipsoid");
+    EXPECT_EQ(options.geometry.shape, Shape::ellipsoid);
     EXPECT_FALSE(options.contact.enabled);
     EXPECT_EQ(options.output.times, (std::vector<double>{0.1, 0.2}));
     EXPECT_EQ(options.output.pictures, "off");
@@ -139,7 +139,7 @@ TEST(CaseFile, ABodyDependsOnGeometryAndMapsAlone)
 
 TEST(CaseFile, StarterCasesAreValid)
 {
-    for (const std::string shape : {"sphere", "ellipsoid", "file"})
+    for (const Shape shape : {Shape::sphere, Shape::ellipsoid, Shape::file})
     {
         EXPECT_EQ(parse(starter_case(shape)).geometry.shape, shape);
     }
@@ -148,7 +148,7 @@ TEST(CaseFile, StarterCasesAreValid)
 TEST(CaseFile, ShippedCasesAreValid)
 {
     EXPECT_EQ(read_case(case_path("sphere.toml"), {}).tissue.lambda, 0.75);
-    EXPECT_EQ(read_case(case_path("ellipsoid.toml"), {}).geometry.shape, "ellipsoid");
+    EXPECT_EQ(read_case(case_path("ellipsoid.toml"), {}).geometry.shape, Shape::ellipsoid);
     const Overrides surface{"geometry.file=brain.stl"};
     EXPECT_EQ(read_case(case_path("brain.toml"), surface).geometry.particles, 60000);
     EXPECT_THROW(read_case(case_path("brain.toml"), {}), InputError);

@@ -31,7 +31,7 @@ TEST(Starter, ItsResolutionsAreValid)
 {
     for (const char* key : {"spacing_mm", "elements"})
     {
-        std::string text = starter_case("sphere");
+        std::string text = starter_case(Shape::sphere);
         replace(text, "particles = ", "# particles = ");
         replace(text, "# " + std::string(key) + " = ", std::string(key) + " = ");
         EXPECT_NO_THROW(parsed(text)) << key;
@@ -44,7 +44,7 @@ TEST(Starter, ItsWeeksAreValid)
 {
     for (const char* clock : {"wang", "cubic"})
     {
-        std::string text = starter_case("ellipsoid");
+        std::string text = starter_case(Shape::ellipsoid);
         replace(text, "clock = \"none\"", "clock = \"" + std::string(clock) + "\"");
         replace(text, "start = ", "# start = ");
         replace(text, "end = ", "# end = ");

@@ -136,7 +136,7 @@ int fail(const char* reason, const std::string& text, const std::vector<std::str
 int fuzz(double seconds, std::uint64_t seed)
 {
     Random random(seed);
-    const std::string seeds[] = {starter_case("sphere"), starter_case("ellipsoid"), starter_case("file"),
+    const std::string seeds[] = {starter_case(Shape::sphere), starter_case(Shape::ellipsoid), starter_case(Shape::file),
                                  to_toml(parse_case("", "", {}, "/")), "[tissue]\nlayer = \"binary\"\nlambda = 0.75\n"};
     const std::string settings[] = {"time.end=0.5", "output.times=[0.1, 0.2]", "geometry.file=\"a.stl\"",
                                     "geometry.semi_axes_mm=[3, 4, 5]"};

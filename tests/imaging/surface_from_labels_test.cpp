@@ -261,9 +261,6 @@ TEST(SurfaceFromLabels, RefusesWhatGivesNoBody)
         refusal(options),
         HasSubstr("3 (" + std::to_string(std::count(image.labels.begin(), image.labels.end(), 3)) + " voxels)"));
     options = {};
-    options.hemisphere = "top";
-    EXPECT_THAT(refusal(options), HasSubstr("hemisphere = \"top\""));
-    options = {};
     options.closing_mm = -1.0;
     EXPECT_THAT(refusal(options), HasSubstr("closing_mm = -1"));
     options = {};

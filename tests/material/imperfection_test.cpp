@@ -75,7 +75,7 @@ TEST(Imperfection, BuiltInShapesHaveOneAndOthersDoNot)
 {
     Options options;
     EXPECT_EQ(imperfection_amplitude(options), 0.05);
-    options.geometry.shape = "file";
+    options.geometry.shape = Shape::file;
     EXPECT_EQ(imperfection_amplitude(options), 0.0);
     options.imperfection.amplitude = 0.02;
     EXPECT_EQ(imperfection_amplitude(options), 0.02);

@@ -54,7 +54,7 @@ TEST(BodyChecks, ACortexThatIsTheWholeBodyIsRefused)
     column.options.tissue.thickness_mm = 8.0;
     EXPECT_THAT(column.refusal(), HasSubstr("the cortex of 8 mm is thicker than the body (largest depth 4 mm)"));
     EXPECT_THAT(column.refusal(), Not(HasSubstr("unit")));
-    column.options.geometry.shape = "file";
+    column.options.geometry.shape = Shape::file;
     column.options.geometry.file = "brain.stl";
     EXPECT_THAT(column.refusal(), HasSubstr("is geometry.unit right?"));
     column.options.geometry.file = "labels.nii.gz";
@@ -81,7 +81,7 @@ TEST(BodyChecks, ABodyFarFromTheSizeOfABrainIsSaid)
     Body body;
     body.cloud.volumes.assign(1000, 1e-6);
     EXPECT_EQ(size_warning(options, body), ""); // a built-in shape may be a model of anything
-    options.geometry.shape = "file";
+    options.geometry.shape = Shape::file;
     options.geometry.file = "brain.stl";
     EXPECT_THAT(size_warning(options, body), HasSubstr("0.001 mm³ is far smaller than any brain; is geometry.unit"));
     body.cloud.volumes.assign(1000, 1e5);

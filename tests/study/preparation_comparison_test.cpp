@@ -99,7 +99,7 @@ TEST(PreparationComparison, RandomThinningIsUneven)
 TEST(PreparationComparison, OffTheSphereEq24IsNoLayerOfOneThickness)
 {
     Options options = thesis_sphere();
-    options.geometry.shape = "ellipsoid";
+    options.geometry.shape = Shape::ellipsoid;
     options.geometry.semi_axes_mm = {20.0, 10.0, 8.0};
     options.geometry.particles = 3000;
     options.tissue.layer = Layer::smooth;

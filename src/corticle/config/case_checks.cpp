@@ -29,7 +29,7 @@ void check_geometry(const GeometryOptions& geometry, const Place& place)
         throw InputError(fmt::format("geometry.spacing_mm{} and geometry.particles{} are both given: expected one",
                                      place("geometry.spacing_mm"), place("geometry.particles")));
     }
-    if (geometry.shape == "file" && geometry.file.empty())
+    if (geometry.shape == Shape::file && geometry.file.empty())
     {
         throw InputError(
             fmt::format("geometry.file{} is missing: got none, expected the path of a surface, label volume or tet "
@@ -37,14 +37,14 @@ void check_geometry(const GeometryOptions& geometry, const Place& place)
                         "geometry.shape{} is \"file\"",
                         place("geometry.file"), place("geometry.shape")));
     }
-    if (geometry.shape != "file" && !geometry.file.empty())
+    if (geometry.shape != Shape::file && !geometry.file.empty())
     {
         throw InputError(fmt::format("geometry.file{} is given, but geometry.shape{} is \"{}\": expected shape = "
                                      "\"file\"",
-                                     place("geometry.file"), place("geometry.shape"), geometry.shape));
+                                     place("geometry.file"), place("geometry.shape"), name_of(geometry.shape)));
     }
     const auto [least, most] = std::ranges::minmax(geometry.semi_axes_mm);
-    if (geometry.shape == "ellipsoid" && most > most_elongated * least)
+    if (geometry.shape == Shape::ellipsoid && most > most_elongated * least)
     {
         throw InputError(fmt::format("geometry.semi_axes_mm{} is out of range: got a ratio of {:.3g}, expected at "
                                      "most {}",
@@ -57,17 +57,17 @@ void check_file_keys(const GeometryOptions& geometry, const Place& place)
 {
     const auto require_file = [&](std::string_view key, bool is_set)
     {
-        if (is_set && geometry.shape != "file")
+        if (is_set && geometry.shape != Shape::file)
         {
             throw InputError(fmt::format("{}{} is given, but geometry.shape{} is \"{}\": expected shape = \"file\"",
-                                         key, place(key), place("geometry.shape"), geometry.shape));
+                                         key, place(key), place("geometry.shape"), name_of(geometry.shape)));
         }
     };
     require_file("geometry.labels", !geometry.mask.labels.empty());
     require_file("geometry.image_volume", geometry.mask.volume.has_value());
-    require_file("geometry.hemisphere", geometry.mask.hemisphere != "both");
+    require_file("geometry.hemisphere", geometry.mask.hemisphere != Hemisphere::both);
     require_file("geometry.repair", geometry.repair != Repair::none);
-    require_file("geometry.arrangement", geometry.arrangement != "body_fitted" && geometry.arrangement != "mesh_nodes");
+    require_file("geometry.arrangement", geometry.arrangement != Arrangement::body_fitted && geometry.arrangement != Arrangement::mesh_nodes);
 }
 
 /// Keys that belong to one method.
@@ -80,7 +80,7 @@ void check_method(const Options& options, const Place& place)
         throw InputError(fmt::format("solver.elements{} and {}{} are both given: expected one",
                                      place("solver.elements"), other, place(other)));
     }
-    const auto require = [&](std::string_view key, const std::string& got, bool holds, std::string_view expected)
+    const auto require = [&](std::string_view key, std::string_view got, bool holds, std::string_view expected)
     {
         if (options.method == Method::fem && !holds)
         {
@@ -88,10 +88,12 @@ void check_method(const Options& options, const Place& place)
                                          got, place("solver.method"), expected));
         }
     };
-    require("geometry.arrangement", geometry.arrangement, !geometry.arrangement.starts_with("thinned"),
+    const bool is_thinned =
+        geometry.arrangement == Arrangement::thinned || geometry.arrangement == Arrangement::thinned_at_random;
+    require("geometry.arrangement", name_of(geometry.arrangement), !is_thinned,
             "\"body_fitted\" or \"tet_nodes\"");
-    require("geometry.volumes", geometry.volumes, geometry.volumes == "cells", "\"cells\"");
-    require("geometry.normals", geometry.normals, geometry.normals == "surface", "\"surface\"");
+    require("geometry.volumes", "neighbour_count", geometry.volumes == VolumeRule::cells, "\"cells\"");
+    require("geometry.normals", "divisions", geometry.normals == NormalRule::surface, "\"surface\"");
 }
 
 void check_maps(const MapOptions& map, const Place& place)
@@ -107,7 +109,7 @@ void check_maps(const MapOptions& map, const Place& place)
 
 void check_particle_count(const GeometryOptions& geometry, const Place& place)
 {
-    if (!geometry.spacing_mm || geometry.shape == "file")
+    if (!geometry.spacing_mm || geometry.shape == Shape::file)
     {
         return; // known once the file is read
     }
@@ -171,12 +173,12 @@ void check_solver(const Options& options, const Place& place)
 double shape_volume(const GeometryOptions& geometry)
 {
     constexpr double factor = 4.0 / 3.0 * std::numbers::pi;
-    if (geometry.shape == "sphere")
+    if (geometry.shape == Shape::sphere)
     {
         return factor * std::pow(geometry.radius_mm, 3);
     }
     const auto& axes = geometry.semi_axes_mm;
-    return geometry.shape == "ellipsoid" ? factor * axes[0] * axes[1] * axes[2] : 0.0;
+    return geometry.shape == Shape::ellipsoid ? factor * axes[0] * axes[1] * axes[2] : 0.0;
 }
 
 void check_case(const Options& options, const Place& place)

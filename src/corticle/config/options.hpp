@@ -12,12 +12,19 @@
 namespace corticle
 {
 
+/// Whether pictures are drawn.
+enum class PictureRule
+{
+    on,
+    off
+};
+
 struct OutputOptions
 {
     std::int64_t count = 10;           ///< evenly spaced in t, besides t = 0
     std::vector<double> times;         ///< instead of count
     std::vector<double> weeks;         ///< instead of count, with a clock
-    std::string pictures = "on";       ///< "on" | "off"
+    PictureRule pictures = PictureRule::on;
     std::vector<double> picture_times; ///< output times that get pictures (the nearest); empty: the last
     double checkpoint_minutes = 5.0;
 };

@@ -97,6 +97,41 @@ inline std::vector<std::string> names<Coordinates>()
     return {"scanner", "file"};
 }
 template <>
+inline std::vector<std::string> names<Shape>()
+{
+    return {shape_names.begin(), shape_names.end()};
+}
+template <>
+inline std::vector<std::string> names<Arrangement>()
+{
+    return {arrangement_names.begin(), arrangement_names.end()};
+}
+template <>
+inline std::vector<std::string> names<VolumeRule>()
+{
+    return {"cells", "neighbour_count"};
+}
+template <>
+inline std::vector<std::string> names<NormalRule>()
+{
+    return {"surface", "divisions"};
+}
+template <>
+inline std::vector<std::string> names<UnitOfLength>()
+{
+    return {"mm", "cm", "m"};
+}
+template <>
+inline std::vector<std::string> names<Hemisphere>()
+{
+    return {hemisphere_names.begin(), hemisphere_names.end()};
+}
+template <>
+inline std::vector<std::string> names<PictureRule>()
+{
+    return {"on", "off"};
+}
+template <>
 inline std::vector<std::string> names<Repair>()
 {
     return {"auto", "wrap", "none"};
@@ -188,16 +223,6 @@ Parameter parameter(std::string key, std::string unit, Range range, std::string 
     }
     result.get = [access](const Options& options) { return Member<T>::get(access(options)); };
     result.set = [access](Options& options, const Value& value) { Member<T>::set(access(options), value); };
-    return result;
-}
-
-/// A text that must be one of `choices`.
-template <class Access>
-Parameter choice(std::string key, std::vector<std::string> choices, std::string sentence, Access access)
-{
-    Parameter result = parameter(std::move(key), "", {}, std::move(sentence), access);
-    result.kind = Kind::choice;
-    result.choices = std::move(choices);
     return result;
 }
 

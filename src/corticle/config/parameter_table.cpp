@@ -17,7 +17,7 @@ using namespace detail;
 std::vector<Parameter> geometry_parameters()
 {
     return {
-        choice("geometry.shape", {"sphere", "ellipsoid", "file"}, "Where the body comes from.",
+        parameter("geometry.shape", "", {}, "Where the body comes from.",
                CORTICLE_MEMBER(geometry.shape)),
         parameter("geometry.radius_mm", "mm", above(0.0, 1000.0), "Radius of the sphere.",
                   CORTICLE_MEMBER(geometry.radius_mm)),
@@ -27,7 +27,7 @@ std::vector<Parameter> geometry_parameters()
              "Closed triangulated surface (STL, OBJ, PLY, OFF, VTP, GIFTI, FreeSurfer), label volume (NIfTI) or tet "
              "mesh (Gmsh, VTU, Netgen, Medit); needed by shape = \"file\".",
              CORTICLE_MEMBER(geometry.file)),
-        choice("geometry.unit", {"mm", "cm", "m"}, "Unit of length of a surface or tet mesh.",
+        parameter("geometry.unit", "", {}, "Unit of length of a surface or tet mesh.",
                CORTICLE_MEMBER(geometry.unit)),
         parameter("geometry.coordinates", "", {},
                   "Whether coordinates are brought to the scanner's where the file describes how (matrices of GIFTI, "
@@ -57,7 +57,7 @@ std::vector<Parameter> geometry_parameters()
                   CORTICLE_MEMBER(geometry.mask.smoothing_mm)),
         parameter("geometry.remove_handles", "", {}, "Whether the surface of the mask is made a topological sphere.",
                   CORTICLE_MEMBER(geometry.mask.remove_handles)),
-        choice("geometry.hemisphere", {"both", "left", "right"}, "Which part of the mask is taken.",
+        parameter("geometry.hemisphere", "", {}, "Which part of the mask is taken.",
                CORTICLE_MEMBER(geometry.mask.hemisphere)),
         with_example(parameter("geometry.spacing_mm", "mm", above(0.0, 1000.0),
                                "Distance between neighbouring particles or nodes; instead of particles.",
@@ -68,14 +68,14 @@ std::vector<Parameter> geometry_parameters()
                   "About this many particles or nodes; instead of spacing_mm.", CORTICLE_MEMBER(geometry.particles)),
         parameter("geometry.seed", "", at_least(0.0), "Seed of the arrangement of particles.",
                   CORTICLE_MEMBER(geometry.seed)),
-        choice("geometry.arrangement", {"body_fitted", "mesh_nodes", "tet_nodes", "thinned", "thinned_at_random"},
+        parameter("geometry.arrangement", "", {},
                "Particles: arranged to fit the body, the nodes of the tets that method = \"fem\" makes of it, or the "
                "nodes of a tet mesh from a file: all, thinned evenly, or thinned at random (thesis section 2.4.1).",
                CORTICLE_MEMBER(geometry.arrangement)),
-        choice("geometry.volumes", {"cells", "neighbour_count"},
+        parameter("geometry.volumes", "", {},
                "Volumes of the particles: exact, or by neighbour counts (thesis eqs. 25 and 26).",
                CORTICLE_MEMBER(geometry.volumes)),
-        choice("geometry.normals", {"surface", "divisions"},
+        parameter("geometry.normals", "", {},
                "Normals of the particles: of the closest surface point, or of the nearest normal line (thesis section "
                "2.4.2).",
                CORTICLE_MEMBER(geometry.normals)),
@@ -301,7 +301,7 @@ std::vector<Parameter> other_parameters()
         parameter("output.weeks", "weeks", between(0.0, 100.0),
                   "Gestational weeks of outputs instead of count, increasing; needs a clock.",
                   CORTICLE_MEMBER(output.weeks)),
-        choice("output.pictures", {"on", "off"}, "Whether pictures are drawn.", CORTICLE_MEMBER(output.pictures)),
+        parameter("output.pictures", "", {}, "Whether pictures are drawn.", CORTICLE_MEMBER(output.pictures)),
         parameter("output.picture_times", "", between(0.0, 1.0),
                   "Output times that get pictures (the nearest), increasing; empty: the last.",
                   CORTICLE_MEMBER(output.picture_times)),

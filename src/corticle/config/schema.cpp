@@ -78,12 +78,12 @@ void each_parameter(Section&& section, One&& one)
 }
 
 /// Keys of [geometry] that only another shape uses.
-bool is_of_other_shape(const Parameter& parameter, std::string_view shape)
+bool is_of_other_shape(const Parameter& parameter, Shape shape)
 {
     const std::string& key = parameter.key;
-    return (key == "geometry.radius_mm" && shape != "sphere") ||
-           (key == "geometry.semi_axes_mm" && shape != "ellipsoid") ||
-           ((key == "geometry.file" || key == "geometry.unit") && shape != "file");
+    return (key == "geometry.radius_mm" && shape != Shape::sphere) ||
+           (key == "geometry.semi_axes_mm" && shape != Shape::ellipsoid) ||
+           ((key == "geometry.file" || key == "geometry.unit") && shape != Shape::file);
 }
 
 } // namespace
@@ -106,11 +106,11 @@ std::string to_toml(const Options& options)
     return text + inputs_toml(options);
 }
 
-std::string starter_case(const std::string& shape)
+std::string starter_case(Shape shape)
 {
     Options options = default_options();
     options.geometry.shape = shape;
-    options.geometry.file = shape == "file" ? "surface.stl" : "";
+    options.geometry.file = shape == Shape::file ? "surface.stl" : "";
     std::string text = "# A starter case: every key with its default. Delete what you do not change.\n"
                        "# `corticle check` prints what a case comes to, `corticle run` runs it.\n";
     each_parameter([&](const std::string& section) { text += fmt::format("\n[{}]\n", section); },

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "corticle/prepare/options.hpp"
+
 #include <string>
 
 namespace corticle
 {
 
 /// A commented case to start from; `shape` as in geometry.shape.
-std::string starter_case(const std::string& shape);
+std::string starter_case(Shape shape);
 
 } // namespace corticle

@@ -75,7 +75,7 @@ void keep_largest_of_each_side(const VoxelGrid& grid, Mask& mask)
     keep_components_of(grid, seeds, mask);
 }
 
-void require_both_hemispheres(const GridMask& body, const Plane& plane, const std::string& hemisphere,
+void require_both_hemispheres(const GridMask& body, const Plane& plane, std::string_view hemisphere,
                               std::vector<std::string>& warnings)
 {
     const Place place = place_of(body.grid, body.mask, plane);

@@ -18,7 +18,7 @@ void keep_largest_of_each_side(const VoxelGrid& grid, Mask& mask);
 /// side of the scanner's x = 0, and of the image's middle too, or the mask is much narrower (x) than long (y). Where
 /// only the scanner's x = 0 speaks against it, its origin may lie elsewhere: a warning.
 /// @throws InputError
-void require_both_hemispheres(const GridMask& body, const Plane& plane, const std::string& hemisphere,
+void require_both_hemispheres(const GridMask& body, const Plane& plane, std::string_view hemisphere,
                               std::vector<std::string>& warnings);
 
 } // namespace corticle

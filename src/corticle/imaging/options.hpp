@@ -1,13 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace corticle
 {
+
+/// Which part of the mask is taken.
+enum class Hemisphere
+{
+    both,
+    left,
+    right
+};
+constexpr std::array hemisphere_names{"both", "left", "right"};
+constexpr const char* name_of(Hemisphere hemisphere)
+{
+    return hemisphere_names[static_cast<std::size_t>(hemisphere)];
+}
 
 /// How a label image becomes a closed surface.
 struct MaskOptions
@@ -18,7 +32,7 @@ struct MaskOptions
     bool fill_cavities = true;          ///< fill background that is cut off from the outside
     double smoothing_mm = 1.2;          ///< standard deviation of the Gaussian; 0: none
     bool remove_handles = true;         ///< make the surface a topological sphere
-    std::string hemisphere = "both";    ///< "both" | "left" | "right"
+    Hemisphere hemisphere = Hemisphere::both;
 };
 
 } // namespace corticle

@@ -45,11 +45,6 @@ void require_options(const MaskOptions& options)
 {
     require_range("closing_mm", options.closing_mm, 10.0);
     require_range("smoothing_mm", options.smoothing_mm, 5.0);
-    if (options.hemisphere != "both" && options.hemisphere != "left" && options.hemisphere != "right")
-    {
-        throw InputError(
-            fmt::format("hemisphere = \"{}\"; expected \"both\", \"left\" or \"right\"", options.hemisphere));
-    }
 }
 
 void require_size(const LabelVolume& image)
@@ -86,7 +81,7 @@ class SurfaceBuilder
 
     void clean()
     {
-        const bool is_whole = options_.hemisphere == "both";
+        const bool is_whole = options_.hemisphere == Hemisphere::both;
         is_whole ? change("largest component", [&] { keep_largest("the labels form"); })
                  : change("components of neither hemisphere", [&] { keep_largest_of_each_side(grid_, mask_); });
         if (options_.closing_mm > 0.0)
@@ -101,7 +96,7 @@ class SurfaceBuilder
         if (!is_whole)
         {
             change("hemisphere", [&] { cut_hemisphere(); });
-            change("largest component", [&] { keep_largest(fmt::format("the {} half forms", options_.hemisphere)); });
+            change("largest component", [&] { keep_largest(fmt::format("the {} half forms", name_of(options_.hemisphere))); });
             drop_values_outside();
         }
         require_voxels();
@@ -240,7 +235,7 @@ class SurfaceBuilder
                 "expected "
                 "one of at least {:g} %",
                 subject, sizes.count, 100.0 * largest,
-                are_two && options_.hemisphere == "both"
+                are_two && options_.hemisphere == Hemisphere::both
                     ? fmt::format(" and the next {:.3g} %: if they are the hemispheres, hemisphere = \"left\" or "
                                   "\"right\" takes one, or add the label that joins them",
                                   100.0 * second)
@@ -268,8 +263,8 @@ class SurfaceBuilder
     void cut_hemisphere()
     {
         const Plane plane = midsagittal_plane(grid_, mask_);
-        require_both_hemispheres({grid_, mask_, false, middle_x_}, plane, options_.hemisphere, report_.warnings);
-        const double side = options_.hemisphere == "right" ? 1.0 : -1.0;
+        require_both_hemispheres({grid_, mask_, false, middle_x_}, plane, name_of(options_.hemisphere), report_.warnings);
+        const double side = options_.hemisphere == Hemisphere::right ? 1.0 : -1.0;
         const double width = std::cbrt(grid_.voxel_volume());
         for (std::int64_t voxel = 0; voxel < grid_.count(); ++voxel)
         {

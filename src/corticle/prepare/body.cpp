@@ -82,12 +82,12 @@ void set_cloud(const PreparationOptions& options, const BodySource& source, Prep
     Body& body = made.body;
     const GeometryOptions& geometry = options.geometry;
     const auto [spacing, particles] = resolve_resolution(options, source.volume, source.area);
-    if (geometry.arrangement == "body_fitted" || geometry.arrangement == "mesh_nodes")
+    if (geometry.arrangement == Arrangement::body_fitted || geometry.arrangement == Arrangement::mesh_nodes)
     {
-        body.surface = geometry.shape == "file"
+        body.surface = geometry.shape == Shape::file
                            ? remesh_isotropic(source.surface, edge_per_spacing * spacing, &made.report.remesh)
                            : make_ellipsoid(semi_axes(geometry), edge_per_spacing * spacing);
-        if (options.method == Method::tlsph && geometry.arrangement == "body_fitted")
+        if (options.method == Method::tlsph && geometry.arrangement == Arrangement::body_fitted)
         {
             body.cloud = fill_surface(body.surface, {spacing, static_cast<std::uint64_t>(geometry.seed)});
             return;
@@ -101,12 +101,12 @@ void set_cloud(const PreparationOptions& options, const BodySource& source, Prep
     {
         throw InputError(fmt::format("geometry.arrangement = \"{}\": the nodes of a tet mesh become particles, but {} "
                                      "is none; expected a tet mesh, or arrangement = \"body_fitted\"",
-                                     geometry.arrangement, geometry.file));
+                                     name_of(geometry.arrangement), geometry.file));
     }
     TetCloudOptions chosen;
     chosen.seed = static_cast<std::uint64_t>(geometry.seed);
-    chosen.thinning = geometry.arrangement == "thinned" ? Thinning::uniform : Thinning::random;
-    if (geometry.arrangement != "tet_nodes")
+    chosen.thinning = geometry.arrangement == Arrangement::thinned ? Thinning::uniform : Thinning::random;
+    if (geometry.arrangement != Arrangement::tet_nodes)
     {
         chosen.particles = particles;
     }
@@ -118,12 +118,12 @@ void apply_thesis_choices(const PreparationOptions& options, Body& body)
 {
     const GeometryOptions& geometry = options.geometry;
     const std::vector<Vec3>& X = body.cloud.positions;
-    if (geometry.volumes == "neighbour_count")
+    if (geometry.volumes == VolumeRule::neighbour_count)
     {
         const double total = std::accumulate(body.cloud.volumes.begin(), body.cloud.volumes.end(), 0.0);
         body.cloud.volumes = neighbor_count_volumes(X, support_mm(options.tlsph, body.cloud.spacing), total);
     }
-    if (geometry.normals == "divisions")
+    if (geometry.normals == NormalRule::divisions)
     {
         body.tissue.normal = division_normals(X, triangle_normal_lines(body.surface),
                                               static_cast<std::int32_t>(geometry.normal_divisions), extents_centre(X));
@@ -158,7 +158,7 @@ void start_tissue(const PreparationOptions& options, std::span<const Vec3> nodes
         tissue.set_layer(options.time.start);
         tissue.theta_is_fixed = options.tissue.thickness_rate_mm == 0.0 && tissue.size.law == LengthLaw::none;
     }
-    else if (options.geometry.shape == "file" || options.geometry.volumes == "neighbour_count")
+    else if (options.geometry.shape == Shape::file || options.geometry.volumes == VolumeRule::neighbour_count)
     {
         // Volumes by counts say nothing about the layer's.
         tissue.theta =
@@ -188,7 +188,7 @@ void connect_particles(const PreparationOptions& options, Preparation& made)
 double thickness_by_lambda(const PreparationOptions& options, const Body& body)
 {
     const auto axes =
-        options.geometry.shape == "file" ? fitted_semi_axes(body.cloud.positions) : semi_axes(options.geometry);
+        options.geometry.shape == Shape::file ? fitted_semi_axes(body.cloud.positions) : semi_axes(options.geometry);
     return (1.0 - std::sqrt(options.tissue.lambda)) * *std::min_element(axes.begin(), axes.end());
 }
 

@@ -22,7 +22,7 @@ constexpr double largest_brain_mm3 = 2e7;
 /// What to look at when a body has the wrong size.
 std::string_view unit_hint(const GeometryOptions& geometry)
 {
-    if (geometry.shape != "file")
+    if (geometry.shape != Shape::file)
     {
         return "";
     }
@@ -82,7 +82,7 @@ void require_cortex(const PreparationOptions& options, std::span<const Vec3> pla
 std::string size_warning(const PreparationOptions& options, const Body& body)
 {
     const double volume = std::accumulate(body.cloud.volumes.begin(), body.cloud.volumes.end(), 0.0);
-    if (options.geometry.shape != "file" || (volume >= smallest_brain_mm3 && volume <= largest_brain_mm3))
+    if (options.geometry.shape != Shape::file || (volume >= smallest_brain_mm3 && volume <= largest_brain_mm3))
     {
         return {};
     }

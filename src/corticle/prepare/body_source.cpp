@@ -64,17 +64,17 @@ double ellipsoid_area(const std::array<double, 3>& axes)
 
 std::array<double, 3> semi_axes(const GeometryOptions& options)
 {
-    return options.shape == "sphere" ? std::array{options.radius_mm, options.radius_mm, options.radius_mm}
+    return options.shape == Shape::sphere ? std::array{options.radius_mm, options.radius_mm, options.radius_mm}
                                      : options.semi_axes_mm;
 }
 
 BodySource read_body_source(const GeometryOptions& options)
 {
     BodySource source;
-    if (options.shape != "file")
+    if (options.shape != Shape::file)
     {
         const auto axes = semi_axes(options);
-        source.kind = options.shape;
+        source.kind = name_of(options.shape);
         source.volume = 4.0 / 3.0 * std::numbers::pi * axes[0] * axes[1] * axes[2];
         source.area = ellipsoid_area(axes);
         return source;

@@ -3,6 +3,7 @@
 
 #include "corticle/cloud/cloud_options.hpp"
 #include "corticle/formats/coordinates.hpp"
+#include "corticle/formats/unit_of_length.hpp"
 #include "corticle/geometry/repair.hpp"
 #include "corticle/imaging/options.hpp"
 #include "corticle/material/imperfection.hpp"
@@ -21,14 +22,57 @@ inline constexpr std::int64_t default_particles = 45000;
 inline constexpr std::int64_t fewest_particles = 500;
 inline constexpr std::int64_t most_particles = 100'000'000;
 
+enum class Shape
+{
+    sphere,
+    ellipsoid,
+    file
+};
+
+/// Where the particles are.
+enum class Arrangement
+{
+    body_fitted,
+    mesh_nodes, ///< nodes of the tets that fem makes
+    tet_nodes,  ///< nodes of a tet mesh from a file
+    thinned,    ///< some of them, evenly
+    thinned_at_random
+};
+
+/// Of the particles.
+enum class VolumeRule
+{
+    cells,
+    neighbour_count ///< the thesis's
+};
+
+/// Of the particles.
+enum class NormalRule
+{
+    surface,
+    divisions ///< the thesis's
+};
+
+/// Names in a case.
+constexpr std::array shape_names{"sphere", "ellipsoid", "file"};
+constexpr std::array arrangement_names{"body_fitted", "mesh_nodes", "tet_nodes", "thinned", "thinned_at_random"};
+constexpr const char* name_of(Shape shape)
+{
+    return shape_names[static_cast<std::size_t>(shape)];
+}
+constexpr const char* name_of(Arrangement arrangement)
+{
+    return arrangement_names[static_cast<std::size_t>(arrangement)];
+}
+
 /// Where the body comes from.
 struct GeometryOptions
 {
-    std::string shape = "sphere";                         ///< "sphere" | "ellipsoid" | "file"
+    Shape shape = Shape::sphere;
     double radius_mm = 12.496;                            ///< sphere
     std::array<double, 3> semi_axes_mm{15.0, 12.0, 10.0}; ///< ellipsoid
     std::string file;                                     ///< closed triangulated surface, label volume or tet mesh
-    std::string unit = "mm";                              ///< of a surface or tet mesh: "mm" | "cm" | "m"
+    UnitOfLength unit = UnitOfLength::mm; ///< of a surface or tet mesh
     Coordinates coordinates = Coordinates::scanner;       ///< of a surface or label volume with metadata
     MaskOptions mask;                      ///< of a label volume: keys labels, image_volume, closing_mm, ...
     Repair repair = Repair::none;          ///< of a surface that is not closed and embedded
@@ -36,10 +80,10 @@ struct GeometryOptions
     std::optional<double> spacing_mm;      ///< either this
     std::optional<std::int64_t> particles; ///< or this, or Options::elements
     std::int64_t seed = 1;
-    std::string arrangement = "body_fitted"; ///< "body_fitted" | "mesh_nodes" | "tet_nodes" | "thinned" | ...
-    std::string volumes = "cells";           ///< of the particles: "cells" | "neighbour_count"
-    std::string normals = "surface";         ///< of the particles: "surface" | "divisions"
-    std::int64_t normal_divisions = 8;       ///< where normals = "divisions"
+    Arrangement arrangement = Arrangement::body_fitted;
+    VolumeRule volumes = VolumeRule::cells;
+    NormalRule normals = NormalRule::surface;
+    std::int64_t normal_divisions = 8;       ///< where normals = divisions
 };
 
 /// Values on the body read from files (keys under [map]); an empty file: none.
@@ -69,7 +113,7 @@ struct PreparationOptions : SimulationOptions
 /// files are imperfect as they are, and the thesis knows no imperfection.
 inline double imperfection_amplitude(const PreparationOptions& options)
 {
-    const bool is_perfect = options.geometry.shape != "file" && options.formulation == Formulation::corrected;
+    const bool is_perfect = options.geometry.shape != Shape::file && options.formulation == Formulation::corrected;
     return options.imperfection.amplitude.value_or(is_perfect ? 0.05 : 0.0);
 }
 

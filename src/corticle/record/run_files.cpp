@@ -25,7 +25,7 @@ constexpr double same_time = 1e-9;
 std::vector<std::string> planned_files(const Options& options)
 {
     std::vector<std::string> files = run_files();
-    if (options.output.pictures == "on")
+    if (options.output.pictures == PictureRule::on)
     {
         files.emplace_back(measures_picture);
     }
@@ -166,7 +166,7 @@ std::vector<double> output_times(const Options& options)
 std::vector<bool> picture_flags(const Options& options, std::span<const double> times)
 {
     std::vector<bool> flags(times.size(), false);
-    if (options.output.pictures != "on")
+    if (options.output.pictures != PictureRule::on)
     {
         return flags;
     }

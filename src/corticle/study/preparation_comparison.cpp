@@ -49,7 +49,7 @@ std::span<const Vec3> positions_of(const Body& body)
 
 bool is_sphere_by_lambda(const Options& options)
 {
-    return options.geometry.shape == "sphere" && options.tissue.lambda > 0.0 && options.tissue.layer == Layer::binary;
+    return options.geometry.shape == Shape::sphere && options.tissue.lambda > 0.0 && options.tissue.layer == Layer::binary;
 }
 
 /// Thickness of the exact cortex at each particle: on the sphere that of eq. 24 where the case has a lambda [mm].
@@ -99,7 +99,7 @@ Exact exact_answers(const Body& body, const Options& options, const SurfaceTree&
 {
     constexpr double fine_lines = 24.0; // per spacing
     Exact exact;
-    const bool sphere = options.geometry.shape == "sphere";
+    const bool sphere = options.geometry.shape == Shape::sphere;
     if (sphere)
     {
         set_sphere(body, options.geometry.radius_mm, exact);
@@ -334,8 +334,8 @@ void compare_evenness(const Body& body, const Options& options, const SurfaceTre
                      [&](std::int64_t i) { depths[i] = std::sqrt(tree.closest(points[i]).squared_distance); });
         result.clouds.push_back({std::move(choice), measure_evenness(points, depths, spacing, support)});
     };
-    const std::string& arrangement = options.geometry.arrangement;
-    add(arrangement == "body_fitted" ? "ours: repulsion" : "this body: " + arrangement, body.cloud.positions);
+    const Arrangement arrangement = options.geometry.arrangement;
+    add(arrangement == Arrangement::body_fitted ? "ours: repulsion" : std::string("this body: ") + name_of(arrangement), body.cloud.positions);
 
     constexpr double edge_per_spacing = 1.05;
     const double dense_spacing = spacing / std::cbrt(result.thesis.dense_ratio);

@@ -62,7 +62,7 @@ void require_free_folder(const ResultFolder& folder, const PrepareRequest& reque
         throw InputError(fmt::format(
             "{}: holds a prepared body already; expected another folder, or --overwrite to replace it", folder.name()));
     }
-    folder.require_free(written_files(request, request.options.output.pictures == "on"));
+    folder.require_free(written_files(request, request.options.output.pictures == PictureRule::on));
 }
 
 std::vector<double> flattened(std::span<const Vec3> vectors)
@@ -221,7 +221,7 @@ std::string prepare(const PrepareRequest& request)
     require_free_folder(folder, request); // again: the body may have taken a while
     folder.remove_written();
     std::string reason;
-    const bool draws = request.options.output.pictures == "on" && can_render(reason);
+    const bool draws = request.options.output.pictures == PictureRule::on && can_render(reason);
     folder.claim(written_files(request, draws));
     write_body(request.out / "body.h5", made, request.options);
     write_text_atomically(request.out / "case.toml", to_toml(request.options));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "corticle/formats/unit_of_length.hpp"
 #include "corticle/formats/coordinates.hpp"
 #include "corticle/imaging/options.hpp"
 #include "corticle/mesh/triangle_mesh.hpp"
@@ -20,7 +21,7 @@ MaskOptions measuring_mask();
 /// How a real brain is read.
 struct RealSurfaceOptions
 {
-    std::string unit = "mm"; ///< of length, of surface files
+    UnitOfLength unit = UnitOfLength::mm; ///< of surface files
     Coordinates coordinates = Coordinates::scanner;
     MaskOptions mask = measuring_mask(); ///< of label volumes
 };

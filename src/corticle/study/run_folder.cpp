@@ -89,7 +89,7 @@ struct Start
 Start prepare_start(const RunRequest& request, std::optional<Checkpoint> checkpoint)
 {
     Start start;
-    start.draws = request.options.output.pictures == "on" && can_render(start.no_pictures);
+    start.draws = request.options.output.pictures == PictureRule::on && can_render(start.no_pictures);
     start.made = request.body.empty() ? arrange_body(request.options) : read_body(request.body, request.options);
     // Not earlier: Gmsh works in a child process, and locks that the renderer's threads hold at a fork stay held there.
     std::future<void> renderer = start.draws ? start_renderer() : std::future<void>{};

@@ -2,6 +2,7 @@
 #include "corticle/formats/surfaces/surface_reader.hpp"
 
 #include "corticle/base/error.hpp"
+#include "corticle/formats/unit_of_length.hpp"
 #include "corticle/formats/vtk_files.hpp"
 #include "formats/surfaces/surface_samples.hpp"
 #include "formats/temporary_folder.hpp"
@@ -113,8 +114,7 @@ TEST(SurfaceReader, ReadsFilesWithAnyCaseOfExtensionAndScales)
     put_bytes(folder / "body.STL", stl_binary(tetrahedron()));
     const TriangleMesh mesh = read_surface(folder / "body.STL", {10.0});
     EXPECT_EQ(std::ranges::count(mesh.vertices, Vec3{0, 22.5, 0}), 1);
-    EXPECT_EQ(millimetres_per("cm"), 10.0);
-    EXPECT_THROW(millimetres_per("inch"), InputError);
+    EXPECT_EQ(millimetres_per(UnitOfLength::cm), 10.0);
 }
 
 TEST(SurfaceReader, KeepsTheVerticesOfTheFileForMaps)

@@ -114,7 +114,7 @@ TEST(FemBody, SharesItsSurfaceWithTheParticlesOfTheSameSpacing)
     options.method = Method::fem;
     const Body elements = prepare_body(options).body;
     options.method = Method::tlsph;
-    options.geometry.arrangement = "mesh_nodes";
+    options.geometry.arrangement = Arrangement::mesh_nodes;
     const Body nodes = prepare_body(options).body;
     EXPECT_EQ(particles.surface.vertices, elements.surface.vertices);
     EXPECT_NEAR(elements.cloud.spacing / 1.5, 1.0, 0.03);
@@ -131,14 +131,14 @@ TEST(FemBody, TakesTheTetsOfAFileAsTheyAre)
     write_tets_msh(folder / "ball.msh", mesh);
     Options options;
     options.method = Method::fem;
-    options.geometry.shape = "file";
+    options.geometry.shape = Shape::file;
     options.geometry.file = (folder / "ball.msh").string();
-    options.geometry.arrangement = "tet_nodes";
+    options.geometry.arrangement = Arrangement::tet_nodes;
     const Body body = prepare_body(options).body;
     EXPECT_EQ(body.fem->elements.tets.size(), mesh.tets.size());
     EXPECT_EQ(body.cloud.positions.size(), mesh.vertices.size());
     EXPECT_NEAR(mesh_volume({body.fem->elements.X, body.fem->elements.tets}) / mesh_volume(mesh), 1.0, 1e-12);
-    options.geometry.arrangement = "body_fitted";
+    options.geometry.arrangement = Arrangement::body_fitted;
     options.elements = 6000;
     EXPECT_NEAR(static_cast<double>(prepare_body(options).body.fem->elements.tets.size()) / 6000.0, 1.0, 0.1);
 }

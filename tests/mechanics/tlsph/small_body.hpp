@@ -12,7 +12,7 @@ namespace corticle::test
 inline Options sphere_options(std::int64_t particles)
 {
     Options options;
-    options.geometry.shape = "sphere";
+    options.geometry.shape = Shape::sphere;
     options.geometry.radius_mm = 12.496;
     options.geometry.particles = particles;
     options.imperfection.amplitude = 0.0; // what is exact is to be so

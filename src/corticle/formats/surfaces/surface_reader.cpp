@@ -157,23 +157,6 @@ TriangleMesh SurfaceBuilder::finish()
     return std::move(mesh_);
 }
 
-double millimetres_per(const std::string& unit)
-{
-    if (unit == "mm")
-    {
-        return 1.0;
-    }
-    if (unit == "cm")
-    {
-        return 10.0;
-    }
-    if (unit == "m")
-    {
-        return 1000.0;
-    }
-    throw InputError(fmt::format("unknown unit of length; got \"{}\"; expected \"mm\", \"cm\" or \"m\"", unit));
-}
-
 TriangleMesh parse_surface(std::string_view bytes, const std::string& extension, const std::string& name,
                            const SurfaceFileOptions& options)
 {

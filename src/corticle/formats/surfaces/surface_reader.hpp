@@ -11,9 +11,6 @@
 namespace corticle
 {
 
-/// Factor from a unit of length to millimetres. @throws InputError for a unit other than "mm", "cm", "m".
-double millimetres_per(const std::string& unit);
-
 /// How a surface file is read.
 struct SurfaceFileOptions
 {
