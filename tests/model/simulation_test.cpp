@@ -18,7 +18,7 @@ namespace
 
 /// Positions a little rough, so that no symmetry hides anything; folds are said to be there, so that the loading is
 /// free.
-State rough_start(const Body& body, double amplitude)
+State rough_start(const Model& body, double amplitude)
 {
     State state;
     state.motion.x = test::perturbed(body.cloud.positions, amplitude * body.cloud.spacing);
@@ -36,14 +36,14 @@ using testing::HasSubstr;
 TEST(Simulation, OneAndTwoThreadsGiveTheSameBits)
 {
     const Options options = test::sphere_options(2500);
-    Body body = test::small_sphere();
+    const Model body = *test::small_model();
     const int threads = thread_count();
     set_thread_count(1);
-    Simulation one(body, options);
+    Simulation one(test::shared(body), options);
     one.restore(rough_start(body, 0.05));
     take_steps(one, 50);
     set_thread_count(2);
-    Simulation two(body, options);
+    Simulation two(test::shared(body), options);
     two.restore(rough_start(body, 0.05));
     take_steps(two, 50);
     set_thread_count(threads);
@@ -56,10 +56,8 @@ TEST(Simulation, GoesOnFromACheckpointToTheSameBits)
     Options options = test::sphere_options(2500);
     options.tissue.thickness_rate_mm = 0.4; // theta follows t
     options.contact.distance = 0.6;         // and contact is at work
-    Body body = test::small_sphere();
-    body.tissue.options = options.tissue;
-    body.tissue.theta_is_fixed = false;
-    Simulation whole(body, options);
+    const Model& body = *test::small_model();
+    Simulation whole(test::shared(body), options);
     whole.restore(rough_start(body, 0.2));
     take_steps(whole, 25);
     EXPECT_GT(whole.contact().active, 0);
@@ -72,10 +70,7 @@ TEST(Simulation, GoesOnFromACheckpointToTheSameBits)
     const Restored restored = from_checkpoint(checkpoint, body.cloud.positions.size(), "checkpoint.h5");
     ASSERT_EQ(restored.rows.size(), 2u);
     EXPECT_EQ(restored.rows[1].area_mm2, 17.25);
-    Body other_body = test::small_sphere();
-    other_body.tissue.options = options.tissue;
-    other_body.tissue.theta_is_fixed = false;
-    Simulation resumed(other_body, options);
+    Simulation resumed(test::small_model(), options);
     resumed.restore(restored.state);
     take_steps(resumed, 25);
     expect_same_bits(whole, resumed);
@@ -98,8 +93,8 @@ TEST(Simulation, TakesBackAStepThatInvertsAParticleAndGoesOn)
     options.contact.enabled = false;
     options.dynamics.cfl = 5.0; // far beyond stability
     options.dynamics.max_halvings = 30;
-    Body body = test::small_sphere();
-    Simulation simulation(body, options);
+    const Model body = *test::small_model();
+    Simulation simulation(test::shared(body), options);
     simulation.restore(rough_start(body, 0.1));
     take_steps(simulation, 60);
     EXPECT_GT(simulation.state().rejected_steps, 0);
@@ -116,8 +111,8 @@ TEST(Simulation, TakesBackAStepThatInvertsAParticleAndGoesOn)
 TEST(Simulation, AStepThatHasCollapsedEndsTheRunWithADiagnosis)
 {
     const Options options = test::sphere_options(2500);
-    Body body = test::small_sphere();
-    Simulation simulation(body, options);
+    const Model body = *test::small_model();
+    Simulation simulation(test::shared(body), options);
     State state = rough_start(body, 0.05);
     state.step_scale = 1e-6;
     state.rejected_steps = 1234;
@@ -133,8 +128,8 @@ TEST(Simulation, ABodyCrushedToNothingEndsTheRun)
 {
     Options options = test::sphere_options(2500);
     options.contact.enabled = false;
-    Body body = test::small_sphere();
-    Simulation simulation(body, options);
+    const Model body = *test::small_model();
+    Simulation simulation(test::shared(body), options);
     State state = rough_start(body, 0.0);
     for (Vec3& x : state.motion.x)
     {
@@ -154,8 +149,8 @@ TEST(Simulation, GivesUpWithADiagnosis)
     options.contact.enabled = false;
     options.dynamics.cfl = 5.0;
     options.dynamics.max_halvings = 0;
-    Body body = test::small_sphere();
-    Simulation simulation(body, options);
+    const Model body = *test::small_model();
+    Simulation simulation(test::shared(body), options);
     simulation.restore(rough_start(body, 0.1));
     try
     {
@@ -174,8 +169,8 @@ TEST(Simulation, GivesUpWithADiagnosis)
 TEST(Simulation, AnInvertedStartIsRefused)
 {
     const Options options = test::sphere_options(2500);
-    Body body = test::small_sphere();
-    Simulation simulation(body, options);
+    const Model body = *test::small_model();
+    Simulation simulation(test::shared(body), options);
     State state = rough_start(body, 0.0);
     state.motion.x = test::affine(state.motion.x, Mat3::diagonal(1, 1, -1));
     EXPECT_THROW(simulation.restore(state), RunError);
@@ -184,8 +179,8 @@ TEST(Simulation, AnInvertedStartIsRefused)
 TEST(Simulation, StopsAtTheTimeItIsToldTo)
 {
     const Options options = test::sphere_options(2500);
-    Body body = test::small_sphere();
-    Simulation simulation(body, options);
+    const Model body = *test::small_model();
+    Simulation simulation(test::shared(body), options);
     const double t_stop = 2.5 * simulation.step_size();
     int steps = 0;
     for (; simulation.state().t < t_stop; ++steps)
@@ -200,8 +195,8 @@ TEST(Simulation, LoadingTimeIsCountedInCrossingsOfTheBody)
 {
     Options options = test::sphere_options(2500);
     options.dynamics.loading_time = 40.0;
-    Body body = test::small_sphere();
-    const Simulation simulation(body, options);
+    const Model body = *test::small_model();
+    const Simulation simulation(test::shared(body), options);
     // T = 40 R / c_p with c_p = sqrt(5 + 4/3) at density 1; R from the particles' volumes, which sum to the sphere's.
     EXPECT_NEAR(simulation.total_time() / (40.0 * 12.496 / std::sqrt(5.0 + 4.0 / 3.0)), 1.0, 1e-9);
 }
@@ -209,8 +204,8 @@ TEST(Simulation, LoadingTimeIsCountedInCrossingsOfTheBody)
 TEST(Simulation, LoadsFasterOnceFoldsHaveAppeared)
 {
     Options options = test::sphere_options(2500);
-    Body body = test::small_sphere();
-    Simulation simulation(body, options);
+    const Model body = *test::small_model();
+    Simulation simulation(test::shared(body), options);
     while (simulation.state().t < 0.17)
     {
         simulation.step(0.17);
@@ -243,7 +238,7 @@ TEST(Simulation, LoadsFasterOnceFoldsHaveAppeared)
     EXPECT_LT(simulation.state().loading_rate, last);
 
     options.dynamics.fastest_loading = 1.0;
-    Simulation constant(body, options);
+    Simulation constant(test::shared(body), options);
     constant.restore(folded);
     take_steps(constant, 10);
     EXPECT_EQ(constant.state().loading_rate, 1.0);

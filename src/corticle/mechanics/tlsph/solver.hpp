@@ -15,7 +15,7 @@ namespace corticle
 class TlsphSolver final : public Discretization
 {
   public:
-    /// Keeps references to both: they must outlive the solver.
+    /// Keeps references to the first and to what the tissue refers to: they must outlive the solver.
     TlsphSolver(const Particles& particles, const Tissue& tissue);
 
     InternalResponse evaluate(std::span<const Vec3> x, double t, std::span<Vec3> forces) override;
@@ -26,7 +26,7 @@ class TlsphSolver final : public Discretization
 
   private:
     const Particles& particles_;
-    const Tissue& tissue_;
+    Tissue tissue_;
     LargeVector<ForceRecord> records_;
     PerThread<std::vector<PairTerms>> terms_; ///< of the block at hand
 };
