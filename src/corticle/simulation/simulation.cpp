@@ -77,7 +77,8 @@ SurfaceContact contact_of(const Body& body, std::span<const std::int32_t> partic
         rest[static_cast<std::size_t>(vertex_of(vertex))] = body.surface.vertices[static_cast<std::size_t>(vertex)];
     }
     const double frequency = wave_speed(tissue) / body.cloud.spacing;
-    return {triangles, rest, gather(masses, particles), body.cloud.spacing, frequency, options};
+    return {triangles, rest,    gather(masses, particles),           body.cloud.spacing,
+            frequency, options, {particles.begin(), particles.end()}};
 }
 
 } // namespace
@@ -132,18 +133,7 @@ InternalResponse Simulation::internal_forces(Motion& motion, double t)
 void Simulation::add_contact(Motion& motion)
 {
     const Stopwatch watch(seconds_.contact);
-    const std::vector<std::int32_t>& particles = contact_particles_;
-    contact_x_.resize(particles.size());
-    contact_force_.resize(particles.size());
-    parallel_runs(each(std::ssize(particles),
-                       [&](std::int64_t k)
-                       {
-                           contact_x_[k] = motion.x[particles[k]];
-                           contact_force_[k] = {};
-                       }));
-    contact_response_ = contact_.evaluate(contact_x_, contact_force_);
-    parallel_runs(
-        each(std::ssize(particles), [&](std::int64_t k) { motion.force[particles[k]] += contact_force_[k]; }));
+    contact_response_ = contact_.evaluate(motion.x, motion.force);
     if (options_.dynamics.time_step <= 0.0)
     {
         critical_dt_ = std::min(critical_dt_, contact_step(options_.dynamics.cfl, contact_response_.largest_rate));

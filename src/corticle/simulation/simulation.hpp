@@ -80,8 +80,6 @@ class Simulation
     double viscous_power_ = 0.0; ///< of the discretisation's viscosity
     RungeKutta4 runge_kutta_;
     double critical_dt_ = 0.0;
-    std::vector<Vec3> contact_x_;
-    std::vector<Vec3> contact_force_;
     std::vector<Vec3> displacement_; ///< of the vertices of the surface in the step [mm]
     TravelTaken travel_taken_;       ///< by the step proposed last
     StepSeconds seconds_;
