@@ -108,7 +108,11 @@ bool NearPairs::follow(std::span<const Vec3> x, std::span<const std::int32_t> pl
                                     step_[k] = norm(now - x_[k]);
                                     vertex_path_[k] += step_[k];
                                     x_[k] = now;
-                                    outside += squared_norm(now - listed_at_[k]) > reach_[k] * reach_[k] ? 1 : 0;
+                                    // A way within the reach ends there, too.
+                                    if (vertex_path_[k] > reach_[k])
+                                    {
+                                        outside += norm(now - listed_at_[k]) > reach_[k] ? 1 : 0;
+                                    }
                                 }
                                 if (outside > 0)
                                 {

@@ -124,11 +124,11 @@ void SurfaceContact::choose(const NearPairs::Blocks<Pair>& near, std::size_t hal
             {
                 std::uint64_t& word = met[owner / word_bits];
                 const std::uint64_t bit = std::uint64_t{1} << (owner % word_bits);
-                if ((word & bit) == 0 || pair.distance < closest[owner].distance)
-                {
-                    word |= bit;
-                    closest[owner] = pair;
-                }
+                // Without a branch, which nobody could predict.
+                const bool is_closer = ((word & bit) == 0) | (pair.distance < closest[owner].distance);
+                const std::array<const Pair*, 2> from{&closest[owner], &pair};
+                closest[owner] = *from[is_closer ? 1 : 0];
+                word |= bit;
             }
         }
     }
