@@ -3,6 +3,8 @@
 
 #include "corticle/base/parallel.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -267,6 +269,17 @@ void SurfaceContact::add_up(std::int64_t active)
     parallel_both([&] { add(0, active / 2, loads_[0]); }, [&] { add(active / 2, active, loads_[1]); });
 }
 
+/// Of the springs' matrix, see below.
+double SurfaceContact::row_of(const Push& push) const
+{
+    double row = 0.0;
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+        row += std::abs(push.weight[k]) * rate_of_vertex_[push.vertex[k]];
+    }
+    return push.force.lane * row;
+}
+
 /// Sets the largest row of the springs' matrix of each block of owners, see below.
 template <class Pair>
 auto SurfaceContact::bounding(const Owners<Pair>& owners, std::span<double> largest) const
@@ -278,13 +291,7 @@ auto SurfaceContact::bounding(const Owners<Pair>& owners, std::span<double> larg
                          double most = 0.0;
                          for (std::int64_t m = begin; m < begin + owners.count[block]; ++m)
                          {
-                             const Push& push = owners.pushes[m];
-                             double row = 0.0;
-                             for (std::size_t k = 0; k < 4; ++k)
-                             {
-                                 row += std::abs(push.weight[k]) * rate_of_vertex_[push.vertex[k]];
-                             }
-                             most = std::max(most, push.force.lane * row);
+                             most = std::max(most, row_of(owners.pushes[m]));
                          }
                          largest[static_cast<std::size_t>(block)] = most;
                      },
@@ -326,6 +333,35 @@ ContactResponse SurfaceContact::evaluate(std::span<const Vec3> x, std::span<Vec3
                        }));
     response.largest_rate = largest_rate();
     return response;
+}
+
+std::string SurfaceContact::stiffest_pair() const
+{
+    double largest = -1.0;
+    std::string words;
+    const auto look = [&](const auto& owners, const char* of_particles)
+    {
+        for (std::int64_t block = 0; block < std::ssize(owners.count); ++block)
+        {
+            for (std::int64_t m = block * owners_at_a_time; m < block * owners_at_a_time + owners.count[block]; ++m)
+            {
+                const Push& push = owners.pushes[m];
+                if (row_of(push) > largest)
+                {
+                    largest = row_of(push);
+                    const auto& [a, b, c, d] = push.vertex;
+                    const std::int32_t owner = owners.repelling[m];
+                    const Vec3& at = near_.positions()[a];
+                    words = fmt::format(fmt::runtime(of_particles), places_[a], places_[b], places_[c], places_[d]) +
+                            fmt::format(": distance {:.4g} mm, repels below {:.4g} mm, at ({:.4g}, {:.4g}, {:.4g}) mm",
+                                        owners.closest[0][owner].distance, owners.barrier[owner].gap, at.x, at.y, at.z);
+                }
+            }
+        }
+    };
+    look(vertices_, "particle {} and the triangle of particles {}, {}, {}");
+    look(edges_, "particles {} and {} and the edge of particles {}, {}");
+    return words;
 }
 
 } // namespace corticle

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 
 namespace corticle
 {
@@ -57,6 +58,10 @@ class SurfaceContact
         return travel_limit_->apply(near_, displacements);
     }
 
+    /// The pair that the largest rate of the last evaluation comes from, in words: its particles, by their places in
+    /// the body, distance, gap and position. Some pair must repel.
+    std::string stiffest_pair() const;
+
     /// Distance below which surfaces repel [mm].
     double activation_distance() const { return near_.range(); }
 
@@ -98,6 +103,7 @@ class SurfaceContact
     template <class Pair>
     static void add_up(const Owners<Pair>& owners, std::int64_t first, std::int64_t last, std::vector<Vec3>& loads);
     void add_up(std::int64_t active);
+    double row_of(const Push& push) const;
     template <class Pair>
     auto bounding(const Owners<Pair>& owners, std::span<double> largest) const;
     double largest_rate() const;

@@ -177,9 +177,10 @@ bool Simulation::evaluate(Motion& motion, double t)
     }
     internal_ = internal;
     viscous_power_ = solver_->add_viscous_forces(motion.x, motion.v, motion.force);
-    critical_dt_ = options_.dynamics.time_step > 0.0
-                       ? options_.dynamics.time_step * total_time_
-                       : critical_step(options_.dynamics.cfl, body_.cloud.spacing, internal.stiffest_rate);
+    tissue_dt_ = options_.dynamics.time_step > 0.0
+                     ? options_.dynamics.time_step * total_time_
+                     : critical_step(options_.dynamics.cfl, body_.cloud.spacing, internal.stiffest_rate);
+    critical_dt_ = tissue_dt_;
     if (options_.contact.enabled)
     {
         add_contact(motion);
@@ -273,13 +274,22 @@ void Simulation::require_step(double dt) const
     {
         return;
     }
+    throw RunError(fmt::format("the step has collapsed at step {}, t = {:.6g}: dt/T = {:.3g}, at rest {:.3g}; {} steps "
+                               "taken back so far, the next one {:.3g} of what the stiffness allows; {}",
+                               state_.steps + 1, state_.t, dt / total_time_, rest_dt_ / total_time_,
+                               state_.rejected_steps, state_.step_scale, cause_of_short_step()));
+}
+
+/// The pair in contact without which the step would be long enough, else the most compressed particle or tet.
+std::string Simulation::cause_of_short_step() const
+{
+    if (critical_dt_ < tissue_dt_ && tissue_dt_ * state_.step_scale >= least_step_share * rest_dt_)
+    {
+        return "stiffest contact: " + contact_.stiffest_pair();
+    }
     const std::int64_t at = std::max<std::int64_t>(internal_.smallest_J_at, 0);
     const std::int64_t node = body_.fem ? body_.fem->elements.tets[static_cast<std::size_t>(at)][0] : at;
-    throw RunError(fmt::format("the step has collapsed at step {}, t = {:.6g}: dt/T = {:.3g}, at rest {:.3g}; {} steps "
-                               "taken back so far, the next one {:.3g} of what the stiffness allows; most compressed: "
-                               "{}",
-                               state_.steps + 1, state_.t, dt / total_time_, rest_dt_ / total_time_,
-                               state_.rejected_steps, state_.step_scale, solver_->diagnosis(node, state_.motion.x)));
+    return "most compressed: " + solver_->diagnosis(node, state_.motion.x);
 }
 
 } // namespace corticle

@@ -62,6 +62,7 @@ class Simulation
     void note_onset();
     [[noreturn]] void give_up(const Motion& motion, double t, double dt) const;
     void require_step(double dt) const;
+    std::string cause_of_short_step() const;
 
     Body& body_;
     const Options& options_;
@@ -79,7 +80,8 @@ class Simulation
     ContactResponse contact_response_;
     double viscous_power_ = 0.0; ///< of the discretisation's viscosity
     RungeKutta4 runge_kutta_;
-    double critical_dt_ = 0.0;
+    double tissue_dt_ = 0.0;         ///< step that the tissue allows
+    double critical_dt_ = 0.0;       ///< that, or less where contact asks for it
     std::vector<Vec3> displacement_; ///< of the vertices of the surface in the step [mm]
     TravelTaken travel_taken_;       ///< by the step proposed last
     StepSeconds seconds_;
