@@ -75,15 +75,15 @@ TEST(Imperfection, AColumnOfCortexGrowsAsOne)
 
 TEST(Imperfection, BuiltInShapesHaveOneAndOthersDoNot)
 {
-    Options options;
-    EXPECT_EQ(imperfection_amplitude(options), 0.05);
-    options.geometry.shape = "file";
-    EXPECT_EQ(imperfection_amplitude(options), 0.0);
-    options.imperfection.amplitude = 0.02;
-    EXPECT_EQ(imperfection_amplitude(options), 0.02);
-    options = {};
-    options.formulation = Formulation::thesis;
-    EXPECT_EQ(imperfection_amplitude(options), 0.0);
+    Options from_file;
+    from_file.geometry.shape = "file";
+    EXPECT_EQ(imperfection_amplitude(Options()), 0.05);
+    EXPECT_EQ(imperfection_amplitude(from_file), 0.0);
+    from_file.imperfection.amplitude = 0.02;
+    EXPECT_EQ(imperfection_amplitude(from_file), 0.02);
+    Options thesis;
+    thesis.formulation = Formulation::thesis;
+    EXPECT_EQ(imperfection_amplitude(thesis), 0.0);
 }
 
 /// A run that goes on to a later end must find the growth it began with.

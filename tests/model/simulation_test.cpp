@@ -3,6 +3,7 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
+#include "corticle/base/version.hpp"
 #include "corticle/record/checkpointing.hpp"
 #include "formats/temporary_folder.hpp"
 #include "mechanics/tlsph/small_body.hpp"
@@ -32,6 +33,7 @@ using test::expect_same_bits;
 using test::take_steps;
 using testing::ContainsRegex;
 using testing::HasSubstr;
+using testing::Not;
 
 TEST(Simulation, OneAndTwoThreadsGiveTheSameBits)
 {
@@ -87,6 +89,30 @@ TEST(Simulation, ACheckpointOfAnotherBodyIsRefused)
     EXPECT_THROW(from_checkpoint({}, 10, "checkpoint.h5"), InputError);
 }
 
+TEST(Simulation, ACheckpointOfAnotherLayoutIsRefusedWithTheVersionThatWroteIt)
+{
+    State state;
+    state.motion.x.resize(10);
+    state.motion.v.resize(10);
+    const std::vector<Measures> rows(2);
+    const Checkpoint whole = to_checkpoint(state, rows, "case", "0.0.7 (abc)");
+    EXPECT_EQ(reached_time(whole, "checkpoint.h5"), 0.0);
+    Checkpoint shorter_clock = whole;
+    shorter_clock.scalars["clock"].pop_back();
+    Checkpoint fewer_columns = whole;
+    fewer_columns.scalars.erase("measures.volume_mm3");
+    Checkpoint fewer_counters = whole;
+    fewer_counters.integers["counters"].pop_back();
+    for (const Checkpoint& other : {shorter_clock, fewer_columns, fewer_counters})
+    {
+        const std::string message = message_of<InputError>([&] { reached_time(other, "checkpoint.h5"); });
+        EXPECT_THAT(message, HasSubstr("checkpoint.h5: "));
+        EXPECT_THAT(message,
+                    ContainsRegex("that version 0.0.7 \\(abc\\) wrote .*; got [038] values of [a-z_.0-9]+; expected "));
+        EXPECT_THAT(message, HasSubstr(", as version " + std::string(program_version()) + " writes them"));
+    }
+}
+
 TEST(Simulation, TakesBackAStepThatInvertsAParticleAndGoesOn)
 {
     Options options = test::sphere_options(2500);
@@ -121,6 +147,27 @@ TEST(Simulation, AStepThatHasCollapsedEndsTheRunWithADiagnosis)
     EXPECT_THAT(message, HasSubstr("the step has collapsed at step 1"));
     EXPECT_THAT(message, HasSubstr("1234 steps taken back so far"));
     EXPECT_THAT(message, ContainsRegex("most compressed: particle [0-9]+: position"));
+}
+
+TEST(Simulation, AStepThatContactMakesTooShortNamesThePair)
+{
+    Options options = test::sphere_options(2500);
+    options.contact.distance = 2.0; // every vertex and edge has neighbours within
+    options.contact.stiffness = 1e14;
+    const Model body = *test::small_model();
+    Simulation simulation(test::shared(body), options);
+    State state = rough_start(body, 0.0);
+    for (Vec3& x : state.motion.x)
+    {
+        x *= 0.99; // closer than at rest
+    }
+    simulation.restore(state);
+    const std::string message = message_of<RunError>([&] { simulation.step(1.0); });
+    EXPECT_THAT(message, HasSubstr("the step has collapsed at step 1"));
+    EXPECT_THAT(message, ContainsRegex("stiffest contact: (particle [0-9]+ and the triangle of|particles [0-9]+ and "
+                                       "[0-9]+ and the edge of) particles [0-9, ]+.*: distance [0-9.e-]+ mm, repels "
+                                       "below [0-9.e-]+ mm, at \\("));
+    EXPECT_THAT(message, Not(HasSubstr("most compressed")));
 }
 
 /// A crushed body, whose rate has no bound: no endless loop of steps of no length.

@@ -93,7 +93,8 @@ SurfaceContact contact_of(const Model& model, std::span<const std::int32_t> part
         rest[static_cast<std::size_t>(vertex_of(vertex))] = model.surface.vertices[static_cast<std::size_t>(vertex)];
     }
     const double frequency = wave_speed(tissue) / model.cloud.spacing;
-    return {triangles, rest, gather(masses, particles), model.cloud.spacing, frequency, options};
+    return {triangles, rest,    gather(masses, particles),           model.cloud.spacing,
+            frequency, options, {particles.begin(), particles.end()}};
 }
 
 } // namespace
@@ -153,18 +154,7 @@ InternalResponse Simulation::internal_forces(Motion& motion, double t)
 void Simulation::add_contact(Motion& motion)
 {
     const Stopwatch watch(seconds_.contact);
-    const std::vector<std::int32_t>& particles = contact_particles_;
-    contact_x_.resize(particles.size());
-    contact_force_.resize(particles.size());
-    parallel_runs(each(std::ssize(particles),
-                       [&](std::int64_t k)
-                       {
-                           contact_x_[k] = motion.x[particles[k]];
-                           contact_force_[k] = {};
-                       }));
-    contact_response_ = contact_.evaluate(contact_x_, contact_force_);
-    parallel_runs(
-        each(std::ssize(particles), [&](std::int64_t k) { motion.force[particles[k]] += contact_force_[k]; }));
+    contact_response_ = contact_.evaluate(motion.x, motion.force);
     if (options_->dynamics.time_step <= 0.0)
     {
         critical_dt_ = std::min(critical_dt_, contact_step(options_->dynamics.cfl, contact_response_.largest_rate));
@@ -219,9 +209,10 @@ bool Simulation::evaluate(Motion& motion, double t)
     }
     internal_ = internal;
     viscous_power_ = solver_->add_viscous_forces(motion.x, motion.v, motion.force);
-    critical_dt_ = options_->dynamics.time_step > 0.0
-                       ? options_->dynamics.time_step * total_time_
-                       : critical_step(options_->dynamics.cfl, model_->cloud.spacing, internal.stiffest_rate);
+    tissue_dt_ = options_->dynamics.time_step > 0.0
+                     ? options_->dynamics.time_step * total_time_
+                     : critical_step(options_->dynamics.cfl, model_->cloud.spacing, internal.stiffest_rate);
+    critical_dt_ = tissue_dt_;
     if (options_->contact.enabled)
     {
         add_contact(motion);
@@ -315,13 +306,22 @@ void Simulation::require_step(double dt) const
     {
         return;
     }
+    throw RunError(fmt::format("the step has collapsed at step {}, t = {:.6g}: dt/T = {:.3g}, at rest {:.3g}; {} steps "
+                               "taken back so far, the next one {:.3g} of what the stiffness allows; {}",
+                               state_->steps + 1, state_->t, dt / total_time_, rest_dt_ / total_time_,
+                               state_->rejected_steps, state_->step_scale, cause_of_short_step()));
+}
+
+/// The pair in contact without which the step would be long enough, else the most compressed particle or tet.
+std::string Simulation::cause_of_short_step() const
+{
+    if (critical_dt_ < tissue_dt_ && tissue_dt_ * state_->step_scale >= least_step_share * rest_dt_)
+    {
+        return "stiffest contact: " + contact_.stiffest_pair();
+    }
     const std::int64_t at = std::max<std::int64_t>(internal_.smallest_J_at, 0);
     const std::int64_t node = model_->fem ? model_->fem->elements.tets[static_cast<std::size_t>(at)][0] : at;
-    throw RunError(fmt::format("the step has collapsed at step {}, t = {:.6g}: dt/T = {:.3g}, at rest {:.3g}; {} steps "
-                               "taken back so far, the next one {:.3g} of what the stiffness allows; most compressed: "
-                               "{}",
-                               state_->steps + 1, state_->t, dt / total_time_, rest_dt_ / total_time_,
-                               state_->rejected_steps, state_->step_scale, solver_->diagnosis(node, state_->motion.x)));
+    return "most compressed: " + solver_->diagnosis(node, state_->motion.x);
 }
 
 } // namespace corticle

@@ -67,6 +67,7 @@ class Simulation
     void note_onset();
     [[noreturn]] void give_up(const Motion& motion, double t, double dt) const;
     void require_step(double dt) const;
+    std::string cause_of_short_step() const;
 
     // Behind pointers, so that what refers to them outlives a move of the simulation.
     std::shared_ptr<const Model> model_;
@@ -85,9 +86,8 @@ class Simulation
     ContactResponse contact_response_;
     double viscous_power_ = 0.0; ///< of the discretisation's viscosity
     RungeKutta4 runge_kutta_;
-    double critical_dt_ = 0.0;
-    std::vector<Vec3> contact_x_;
-    std::vector<Vec3> contact_force_;
+    double tissue_dt_ = 0.0;         ///< step that the tissue allows
+    double critical_dt_ = 0.0;       ///< that, or less where contact asks for it
     std::vector<Vec3> displacement_; ///< of the vertices of the surface in the step [mm]
     TravelTaken travel_taken_;       ///< by the step proposed last
     StepSeconds seconds_;
