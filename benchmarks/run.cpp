@@ -103,27 +103,27 @@ void whole_step(benchmark::State& state)
 void surface_measures(benchmark::State& state)
 {
     const Simulation& simulation = *made_for<StandardSphere>(state.range(0)).simulation;
-    const std::vector<Mat3> F = simulation.deformation_gradients();
+    const OutputView view = output_view(simulation);
     for (auto _ : state)
     {
-        benchmark::DoNotOptimize(surface_arrays(simulation, F, physical_scale(simulation)));
+        benchmark::DoNotOptimize(surface_arrays(view));
     }
-    count_particles(state, static_cast<double>(F.size()));
+    count_particles(state, static_cast<double>(view.F.size()));
 }
 
 /// The files of an output time.
 void frame_files(benchmark::State& state)
 {
     const Simulation& simulation = *made_for<StandardSphere>(state.range(0)).simulation;
-    const std::vector<Mat3> F = simulation.deformation_gradients();
-    const SurfaceArrays arrays = surface_arrays(simulation, F, physical_scale(simulation));
+    const OutputView view = output_view(simulation);
+    const SurfaceArrays arrays = surface_arrays(view);
     const ScratchFolder folder;
     for (auto _ : state)
     {
-        const Frame frame = make_frame(simulation, F, physical_scale(simulation), "0000");
-        write_frame(folder.path(), simulation, frame, arrays);
+        const Frame frame = make_frame(view, arrays, "0000");
+        write_frame(folder.path(), view, frame, arrays);
     }
-    count_particles(state, static_cast<double>(F.size()));
+    count_particles(state, static_cast<double>(view.F.size()));
     report_files(state, folder);
 }
 

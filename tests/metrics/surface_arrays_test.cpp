@@ -33,9 +33,9 @@ struct Measured
 
 Measured measured(const Simulation& simulation)
 {
-    const std::vector<Mat3> F = simulation.deformation_gradients();
-    Measured m{surface_arrays(simulation, F, physical_scale(simulation)), {}};
-    m.row = measure(simulation, F, m.arrays, physical_scale(simulation));
+    const OutputView view = output_view(simulation);
+    Measured m{surface_arrays(view), {}};
+    m.row = measure(view, m.arrays);
     return m;
 }
 
@@ -44,10 +44,11 @@ TEST(SurfaceArrays, MillimetresAtTheirWeek)
     const Options options = test::sphere_options(2500);
     const Model body = *test::small_model();
     const Simulation simulation(test::shared(body), options);
-    const std::vector<Mat3> F = simulation.deformation_gradients();
     const Measures run = measured(simulation).row;
     const PhysicalScale twice{30.0, 2.0};
-    const Measures m = measure(simulation, F, surface_arrays(simulation, F, twice), twice);
+    const OutputView view = output_view(simulation, 0, twice);
+    const SurfaceArrays arrays = surface_arrays(view);
+    const Measures m = measure(view, arrays);
     constexpr double round_off = 1e-9; // relative; powers of two, but sums of sampled slices and paths
     const auto expect = [&](double got, double expected)
     { EXPECT_NEAR(got, expected, round_off * std::abs(expected)); };
@@ -67,7 +68,7 @@ TEST(SurfaceArrays, MillimetresAtTheirWeek)
     expect(m.asymmetry_area + 1.0, run.asymmetry_area + 1.0);
     EXPECT_EQ(m.J_mean, run.J_mean);
 
-    const Frame frame = make_frame(simulation, F, twice, "0000");
+    const Frame frame = make_frame(view, arrays, "0000");
     EXPECT_EQ(frame.week, 30.0);
     EXPECT_EQ(frame.particles[7], 2.0 * simulation.state().motion.x[7]);
     EXPECT_EQ(frame.origins[7], 2.0 * body.cloud.positions[7]);

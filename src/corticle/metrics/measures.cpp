@@ -136,22 +136,22 @@ std::span<const MeasureColumn> measure_columns()
     return columns;
 }
 
-Measures measure(const Simulation& simulation, std::span<const Mat3> F, const SurfaceArrays& arrays,
-                 const PhysicalScale& scale)
+Measures measure(const OutputView& view, const SurfaceArrays& arrays)
 {
-    const Model& model = simulation.model();
-    const State& state = simulation.state();
-    const std::vector<Vec3> unscaled = simulation.surface_positions();
-    const std::vector<Vec3> x = scaled(unscaled, scale.length);
+    const Simulation& simulation = view.simulation;
+    const Model& model = view.model();
+    const State& state = view.state();
+    const PhysicalScale& scale = view.scale;
+    const std::vector<Vec3>& x = view.surface;
     const SurfaceMeasures now = measure_surface(x, model.cloud.surface_triangles);
     const double area_0 = surface_area(model.surface.vertices, model.surface.triangles);
     const double volume_0 = enclosed_volume(model.surface.vertices, model.surface.triangles);
     const Overlap overlap =
         measure_overlap(x, model.cloud.surface_triangles, probe_in_spacings * model.cloud.spacing * scale.length);
 
-    const ReferenceFolds waves = reference_folds(simulation);
+    const ReferenceFolds waves = reference_folds(view);
 
-    Measures m{now, measure_folds(x, model.cloud.surface_triangles, arrays.folds, fold_options(model, scale)), {}};
+    Measures m{now, measure_folds(x, model.cloud.surface_triangles, arrays.folds, fold_options(view)), {}};
     m.t = state.t;
     m.week = scale.week;
     m.length_scale = scale.length;
@@ -162,15 +162,16 @@ Measures measure(const Simulation& simulation, std::span<const Mat3> F, const Su
     m.thickness_mean_mm = area_mean(arrays.thickness, vertex_areas(x, model.cloud.surface_triangles));
     m.fold_wavelength_reference_mm = waves.wavelength_mm;
     m.fold_degree = waves.degree;
-    set_volume_ratios(model, F, m);
-    set_energies(simulation, F, m);
+    set_volume_ratios(model, view.F, m);
+    set_energies(simulation, view.F, m);
     m.overlap_area_share = overlap.area_share;
     m.max_penetration_mm = overlap.deepest_penetration;
     m.barrier_particles = static_cast<double>(simulation.internal().barrier_count);
     m.extrapolated_elements = static_cast<double>(simulation.internal().extrapolated_count);
     m.inverted_elements = static_cast<double>(simulation.internal().inverted_count);
     m.contact_pairs = static_cast<double>(simulation.contact().active);
-    m.intersecting_triangles = static_cast<double>(intersecting_triangles({unscaled, model.cloud.surface_triangles}));
+    m.intersecting_triangles =
+        static_cast<double>(intersecting_triangles({view.as_folded, model.cloud.surface_triangles}));
     m.contact_limited_share =
         static_cast<double>(state.travel_taken.vertex_steps) /
         (static_cast<double>(std::max<std::int64_t>(state.steps, 1)) * static_cast<double>(x.size()));

@@ -78,28 +78,28 @@ int dominant_degree_of(std::span<const Vec3> X, std::span<const Vec3> x, std::sp
 
 } // namespace
 
-FoldOptions fold_options(const Model& model, const PhysicalScale& scale)
+FoldOptions fold_options(const OutputView& view)
 {
     FoldOptions options;
-    options.midplane = mid_sagittal_plane(scaled(model.surface.vertices, scale.length));
+    options.midplane = mid_sagittal_plane(scaled(view.model().surface.vertices, view.scale.length));
     return options;
 }
 
-SurfaceArrays surface_arrays(const Simulation& simulation, std::span<const Mat3> F, const PhysicalScale& scale)
+SurfaceArrays surface_arrays(const OutputView& view)
 {
-    const Model& model = simulation.model();
-    const std::vector<Vec3> x = scaled(simulation.surface_positions(), scale.length);
-    const CarriedCloud cloud{model.cloud.positions, simulation.state().motion.x, F, model.cloud.spacing};
-    const std::vector<Vec3> inner = scaled(carried_points(cloud, cortex_boundary(simulation)), scale.length);
-    return {fold_fields(x, model.cloud.surface_triangles, fold_options(model, scale)),
-            cortical_thickness(x, inner, model.cloud.surface_triangles)};
+    const Cloud& cloud = view.model().cloud;
+    const CarriedCloud carried{cloud.positions, view.state().motion.x, view.F, cloud.spacing};
+    const std::vector<Vec3> inner =
+        scaled(carried_points(carried, cortex_boundary(view.simulation)), view.scale.length);
+    return {fold_fields(view.surface, view.triangles(), fold_options(view)),
+            cortical_thickness(view.surface, inner, view.triangles())};
 }
 
-ReferenceFolds reference_folds(const Simulation& simulation)
+ReferenceFolds reference_folds(const OutputView& view)
 {
-    const Model& model = simulation.model();
+    const Model& model = view.model();
     const std::vector<Vec3>& X = model.surface.vertices;
-    const std::vector<Vec3> x = simulation.surface_positions();
+    const std::vector<Vec3>& x = view.as_folded;
     const std::vector<Vec3> normals = vertex_normals(X, model.surface.triangles);
     const std::vector<double> areas = vertex_areas(X, model.surface.triangles);
     std::vector<double> displacement(X.size());

@@ -75,8 +75,10 @@ double mean_spacing(std::span<const double> volumes)
     return std::cbrt(std::accumulate(volumes.begin(), volumes.end(), 0.0) / static_cast<double>(volumes.size()));
 }
 
-Frame make_frame(const Simulation& simulation, std::vector<Mat3> F, const PhysicalScale& scale, std::string name)
+Frame make_frame(const OutputView& view, const SurfaceArrays& arrays, std::string name)
 {
+    const Simulation& simulation = view.simulation;
+    const PhysicalScale& scale = view.scale;
     const Cloud& cloud = simulation.model().cloud;
     Frame frame;
     frame.t = simulation.state().t;
@@ -85,10 +87,10 @@ Frame make_frame(const Simulation& simulation, std::vector<Mat3> F, const Physic
     frame.name = std::move(name);
     frame.particles = scaled(simulation.state().motion.x, scale.length);
     frame.origins = scaled(cloud.positions, scale.length);
-    frame.F = std::move(F);
+    frame.F = view.F;
     frame.spacing = mean_spacing(cloud.volumes) * scale.length;
     frame.theta = simulation.state().nodes.theta;
-    frame.surface = scaled(simulation.surface_positions(), scale.length);
+    frame.surface = view.surface;
     frame.triangles = cloud.surface_triangles;
     std::vector<double> J;
     for (std::size_t i = 0; i < frame.F.size(); ++i)
@@ -98,12 +100,15 @@ Frame make_frame(const Simulation& simulation, std::vector<Mat3> F, const Physic
     }
     frame.surface_J = surface_values(cloud, J);
     frame.surface_growth = surface_values(cloud, frame.particle_growth);
+    frame.sulcal_depth = arrays.folds.sulcal_depth;
+    frame.mean_curvature = arrays.folds.curvature.mean;
     return frame;
 }
 
-void write_frame(const std::filesystem::path& folder, const Simulation& simulation, const Frame& frame,
+void write_frame(const std::filesystem::path& folder, const OutputView& view, const Frame& frame,
                  const SurfaceArrays& arrays)
 {
+    const Simulation& simulation = view.simulation;
     const Cloud& cloud = simulation.model().cloud;
     const TissueFields& tissue = simulation.model().tissue;
     const ParticleArrays a = particle_arrays(simulation, frame);

@@ -21,7 +21,7 @@ Progress::Progress(const Simulation& simulation, double t_end, bool quiet)
 {
 }
 
-void Progress::update(const Simulation& simulation)
+void Progress::on_step(const Simulation& simulation)
 {
     if (!shown_)
     {
