@@ -3,7 +3,7 @@
 #include "corticle/config/case_file.hpp"
 #include "corticle/config/options.hpp"
 #include "corticle/model/simulation.hpp"
-#include "corticle/prepare/body.hpp"
+#include "corticle/prepare/prepare.hpp"
 #include "corticle/record/checkpointing.hpp"
 #include "corticle/record/frames.hpp"
 
@@ -26,16 +26,16 @@ struct StandardSphere
         options.tissue.lambda = 0.75;
         options.geometry.particles = particles;
         const auto start = std::chrono::steady_clock::now();
-        body = prepare_body(options).body;
+        model = std::make_shared<const Model>(prepare_body(options).model);
         preparation_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        simulation = std::make_unique<Simulation>(body, options);
+        simulation = std::make_unique<Simulation>(model, options);
     }
     StandardSphere(const StandardSphere&) = delete;
 
-    double particles() const { return static_cast<double>(body.cloud.positions.size()); }
+    double particles() const { return static_cast<double>(model->cloud.positions.size()); }
 
     Options options;
-    Body body;
+    std::shared_ptr<const Model> model;
     double preparation_seconds = 0.0;
     std::unique_ptr<Simulation> simulation;
 };

@@ -14,7 +14,7 @@ namespace
 {
 
 /// The sphere with a bulge of degree l on every particle's radius.
-State bulged(const Body& body, int l, double amplitude)
+State bulged(const Model& body, int l, double amplitude)
 {
     State state;
     for (const Vec3& X : body.cloud.positions)
@@ -42,8 +42,8 @@ Measured measured(const Simulation& simulation)
 TEST(SurfaceArrays, MillimetresAtTheirWeek)
 {
     const Options options = test::sphere_options(2500);
-    Body body = test::small_sphere();
-    const Simulation simulation(body, options);
+    const Model body = *test::small_model();
+    const Simulation simulation(test::shared(body), options);
     const std::vector<Mat3> F = simulation.deformation_gradients();
     const Measures run = measured(simulation).row;
     const PhysicalScale twice{30.0, 2.0};
@@ -78,8 +78,8 @@ TEST(SurfaceArrays, MillimetresAtTheirWeek)
 TEST(SurfaceArrays, OfAnUndeformedSphere)
 {
     const Options options = test::sphere_options(2500);
-    Body body = test::small_sphere();
-    const Simulation simulation(body, options);
+    const Model body = *test::small_model();
+    const Simulation simulation(test::shared(body), options);
     const Measured m = measured(simulation);
     for (const double t : m.arrays.thickness)
     {
@@ -99,8 +99,8 @@ TEST(SurfaceArrays, OfAnUndeformedSphere)
 TEST(SurfaceArrays, FindAnImposedDegree)
 {
     const Options options = test::sphere_options(2500);
-    Body body = test::small_sphere();
-    Simulation simulation(body, options);
+    const Model body = *test::small_model();
+    Simulation simulation(test::shared(body), options);
     simulation.restore(bulged(body, 8, 0.1));
     const Measured m = measured(simulation);
     EXPECT_EQ(m.row.fold_degree, 8.0);
@@ -112,8 +112,8 @@ TEST(SurfaceArrays, FindAnImposedDegree)
 TEST(SurfaceArrays, DoNotDependOnTheNumberOfThreads)
 {
     const Options options = test::sphere_options(2500);
-    Body body = test::small_sphere();
-    Simulation simulation(body, options);
+    const Model body = *test::small_model();
+    Simulation simulation(test::shared(body), options);
     simulation.restore(bulged(body, 6, 0.05));
     const int threads = thread_count();
     set_thread_count(1);

@@ -69,7 +69,7 @@ double residual_force(const Simulation& simulation, std::span<const Mat3> F)
         double stress = 0.0;
         double volume = 0.0;
     };
-    const std::vector<double>& volumes = simulation.body().cloud.volumes;
+    const std::vector<double>& volumes = simulation.model().cloud.volumes;
     const Sums sums = parallel_reduce(
         std::ssize(F), Sums{},
         [&](std::int64_t begin, std::int64_t end)

@@ -17,7 +17,7 @@ struct SurfaceArrays
 SurfaceArrays surface_arrays(const Simulation& simulation, std::span<const Mat3> F, const PhysicalScale& scale);
 
 /// Folds are measured about the mid-plane of the reference surface.
-FoldOptions fold_options(const Body& body, const PhysicalScale& scale);
+FoldOptions fold_options(const Model& model, const PhysicalScale& scale);
 
 /// Folds as a displacement of the reference surface, in mm of the body as it was given.
 struct ReferenceFolds

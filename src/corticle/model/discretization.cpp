@@ -8,17 +8,20 @@
 namespace corticle
 {
 
-std::unique_ptr<Discretization> make_discretization(const Body& body, const SimulationOptions& options)
+std::unique_ptr<Discretization> make_discretization(const Model& model, const SimulationOptions& options,
+                                                    const State& state)
 {
     if (options.method == Method::fem)
     {
-        return std::make_unique<FemSolver>(body.fem->elements, body.fem->tissue);
+        return std::make_unique<FemSolver>(model.fem->elements,
+                                           Tissue{options.tissue, model.fem->tissue, state.elements});
     }
+    const Tissue tissue{options.tissue, model.tissue, state.nodes};
     if (options.formulation == Formulation::thesis)
     {
-        return std::make_unique<PrintedSolver>(body.particles, body.tissue, options.thesis);
+        return std::make_unique<PrintedSolver>(model.particles, tissue, options.thesis);
     }
-    return std::make_unique<TlsphSolver>(body.particles, body.tissue);
+    return std::make_unique<TlsphSolver>(model.particles, tissue);
 }
 
 } // namespace corticle

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "corticle/mechanics/discretization.hpp"
-#include "corticle/model/body.hpp"
+#include "corticle/model/model.hpp"
 #include "corticle/model/options.hpp"
+#include "corticle/model/state.hpp"
 
 #include <memory>
 
@@ -11,6 +12,7 @@ namespace corticle
 {
 
 /// The discretisation the options ask for, of a prepared body, which must outlive it.
-std::unique_ptr<Discretization> make_discretization(const Body& body, const SimulationOptions& options);
+std::unique_ptr<Discretization> make_discretization(const Model& model, const SimulationOptions& options,
+                                                    const State& state);
 
 } // namespace corticle

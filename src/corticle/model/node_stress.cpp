@@ -20,7 +20,7 @@ bool multiplies_growth(const SimulationOptions& options)
 
 Mat3 cauchy_stress_at(const Simulation& simulation, std::size_t node, const Mat3& F)
 {
-    const Tissue& tissue = simulation.body().tissue;
+    const Tissue tissue = simulation.tissue();
     MaterialPoint point = tissue.point(node, simulation.state().t);
     if (multiplies_growth(simulation.options()))
     {

@@ -44,4 +44,11 @@ struct SimulationOptions
     SizeOptions size;
 };
 
+/// The size by which the cortex thins, if it does.
+inline ReferenceSize cortex_size(const SimulationOptions& options)
+{
+    return {options.time.clock, options.size.thin_cortex ? options.size.law : LengthLaw::none,
+            options.time.start_week.value_or(0.0)};
+}
+
 } // namespace corticle

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "corticle/dynamics/integrator.hpp"
+#include "corticle/material/tissue.hpp"
 
 #include <cstdint>
 
@@ -22,11 +23,13 @@ struct TravelTaken
     std::int64_t vertex_steps = 0; ///< displacements it changed
 };
 
-/// All that a checkpoint needs, besides the case: forces and step follow from it.
+/// All that changes as a run goes on. With the case a checkpoint of it is enough: forces, step and tissue follow.
 struct State
 {
     Motion motion;
-    double t = 0.0; ///< growth time [-]
+    TissueState nodes;    ///< the tissue at the nodes at t
+    TissueState elements; ///< at the elements, where there are any
+    double t = 0.0;       ///< growth time [-]
     std::int64_t steps = 0;
     std::int64_t rejected_steps = 0;
     double step_scale = 1.0;     ///< 1, or what rejections have left of it; grows back

@@ -26,7 +26,7 @@ struct ParticleArrays
 
 double growth_at(const Simulation& simulation, std::size_t i)
 {
-    return simulation.body().tissue.point(i, simulation.state().t).growth;
+    return simulation.tissue().point(i, simulation.state().t).growth;
 }
 
 std::vector<double> times(std::span<const double> values, double factor)
@@ -41,7 +41,7 @@ std::vector<double> times(std::span<const double> values, double factor)
 
 ParticleArrays particle_arrays(const Simulation& simulation, const Frame& frame)
 {
-    const Tissue& tissue = simulation.body().tissue;
+    const TissueFields& tissue = simulation.model().tissue;
     const std::vector<Mat3>& F = frame.F;
     const std::size_t count = F.size();
     ParticleArrays a{std::vector<double>(count), std::vector<double>(9 * count), std::vector<double>(9 * count),
@@ -77,7 +77,7 @@ double mean_spacing(std::span<const double> volumes)
 
 Frame make_frame(const Simulation& simulation, std::vector<Mat3> F, const PhysicalScale& scale, std::string name)
 {
-    const Cloud& cloud = simulation.body().cloud;
+    const Cloud& cloud = simulation.model().cloud;
     Frame frame;
     frame.t = simulation.state().t;
     frame.week = scale.week;
@@ -87,7 +87,7 @@ Frame make_frame(const Simulation& simulation, std::vector<Mat3> F, const Physic
     frame.origins = scaled(cloud.positions, scale.length);
     frame.F = std::move(F);
     frame.spacing = mean_spacing(cloud.volumes) * scale.length;
-    frame.theta = simulation.body().tissue.theta;
+    frame.theta = simulation.state().nodes.theta;
     frame.surface = scaled(simulation.surface_positions(), scale.length);
     frame.triangles = cloud.surface_triangles;
     std::vector<double> J;
@@ -104,8 +104,8 @@ Frame make_frame(const Simulation& simulation, std::vector<Mat3> F, const Physic
 void write_frame(const std::filesystem::path& folder, const Simulation& simulation, const Frame& frame,
                  const SurfaceArrays& arrays)
 {
-    const Cloud& cloud = simulation.body().cloud;
-    const Tissue& tissue = simulation.body().tissue;
+    const Cloud& cloud = simulation.model().cloud;
+    const TissueFields& tissue = simulation.model().tissue;
     const ParticleArrays a = particle_arrays(simulation, frame);
     const std::vector<double> depth = times(tissue.depth, frame.length_scale);
     const std::vector<double> volume = times(cloud.volumes, std::pow(frame.length_scale, 3));

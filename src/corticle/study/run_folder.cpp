@@ -101,7 +101,7 @@ Start prepare_start(const RunRequest& request, std::optional<Checkpoint> checkpo
     if (checkpoint)
     {
         start.earlier_versions = checkpoint->program_version;
-        start.restored = from_checkpoint(*checkpoint, start.made.body.cloud.positions.size(),
+        start.restored = from_checkpoint(*checkpoint, start.made.model.cloud.positions.size(),
                                          (request.out / "checkpoint.h5").string());
     }
     return start;
@@ -137,13 +137,13 @@ std::vector<double> output_times_of(std::span<const Measures> rows)
 
 void log_body(spdlog::logger& log, const Preparation& made)
 {
-    const Body& body = made.body;
+    const Model& model = made.model;
     const std::string nodes =
-        fmt::format("{} {}, {} of them on the surface, spacing {:.4g} mm", body.cloud.positions.size(),
-                    body.fem ? "nodes" : "particles", body.cloud.surface_particles.size(), body.cloud.spacing);
-    if (body.fem)
+        fmt::format("{} {}, {} of them on the surface, spacing {:.4g} mm", model.cloud.positions.size(),
+                    model.fem ? "nodes" : "particles", model.cloud.surface_particles.size(), model.cloud.spacing);
+    if (model.fem)
     {
-        log.info("{} tets, {}", body.fem->elements.tets.size(), nodes);
+        log.info("{} tets, {}", model.fem->elements.tets.size(), nodes);
     }
     else
     {
@@ -203,7 +203,7 @@ RunStatus record_run(const RunRequest& request, Start& start, Recorder& recorder
             log.info("resumed at t = {:.6g}, step {}", start.restored->state.t, start.restored->state.steps);
             recorder.resume(std::move(start.restored->rows), start.restored->state.steps);
         }
-        simulation.emplace(start.made.body, request.options);
+        simulation.emplace(std::make_shared<const Model>(std::move(start.made.model)), request.options);
         if (start.restored)
         {
             simulation->restore(std::move(start.restored->state));

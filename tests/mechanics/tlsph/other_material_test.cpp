@@ -29,7 +29,7 @@ class OtherMaterial : public testing::Test
         return response.elastic_energy + response.zero_mode_energy;
     }
 
-    const Body& body = test::small_sphere();
+    test::Body body = test::small_sphere();
     TlsphSolver solver;
     std::vector<Vec3> x = test::perturbed(body.cloud.positions, 0.1 * body.cloud.spacing);
 };

@@ -40,7 +40,7 @@ class TlsphForces : public testing::TestWithParam<Situation>
         return response.elastic_energy + response.zero_mode_energy;
     }
 
-    Body body;
+    test::Body body;
     std::vector<Vec3> x;
     std::vector<Vec3> scratch = std::vector<Vec3>(body.cloud.positions.size());
 };
@@ -107,7 +107,7 @@ TEST_P(TlsphForces, AgreeWithPlainLoops)
         }
         const Mat3 L = inverse(shape);
         const Mat3 F = moment * L;
-        const Tissue& tissue = body.tissue;
+        const auto& tissue = body.tissue;
         const MaterialPoint point =
             material_point(tissue.options, tissue.theta[i], tissue.regional_rate[i], GetParam().t);
         const double g = point.growth;

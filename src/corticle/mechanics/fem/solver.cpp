@@ -160,7 +160,7 @@ std::string FemSolver::diagnosis(std::int64_t node, std::span<const Vec3> x) con
     const std::span<const Tet> tet(&corners, 1);
     return fmt::format("element {}: {}, corners {}, {}, {}, {}; volume of node {} now {:.4g} mm³, at rest {:.4g} mm³",
                        worst,
-                       describe_point(centroids(x, tet)[0], centroids(elements_.X, tet)[0], tissue_.depth[worst],
+                       describe_point(centroids(x, tet)[0], centroids(elements_.X, tet)[0], tissue_.fields.depth[worst],
                                       deformation_gradient(elements_, worst, x)),
                        corners[0], corners[1], corners[2], corners[3], node,
                        node_volumes({{x.begin(), x.end()}, elements_.tets})[node], elements_.node_volume[node]);

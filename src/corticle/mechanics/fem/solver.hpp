@@ -14,7 +14,8 @@ namespace corticle
 class FemSolver final : public Discretization
 {
   public:
-    /// Keeps references to both: they must outlive the solver. @param tissue  of the tets, at their centroids
+    /// Keeps references to the first and to what the tissue refers to: they must outlive the solver. @param tissue  of
+    /// the tets, at their centroids
     FemSolver(const TetElements& elements, const Tissue& tissue);
 
     InternalResponse evaluate(std::span<const Vec3> x, double t, std::span<Vec3> forces) override;
@@ -29,7 +30,7 @@ class FemSolver final : public Discretization
     InternalResponse evaluate_volumes(std::span<const Vec3> x, double t);
 
     const TetElements& elements_;
-    const Tissue& tissue_;
+    Tissue tissue_;
     std::vector<NodalVolume> volume_parts_;  ///< per entry of chunk_node
     std::vector<Vec3> force_parts_;          ///< the same; the lane sums the stiffness
     std::vector<NodalPressure> node_values_; ///< per node

@@ -162,7 +162,7 @@ CORTICLE_EVERY_ISA void sum_block(const NeighborGroups& groups, std::int64_t gro
 
 std::vector<double> wave_speeds(const Tissue& tissue)
 {
-    std::vector<double> speeds(tissue.theta.size());
+    std::vector<double> speeds(tissue.state.theta.size());
     for (std::size_t i = 0; i < speeds.size(); ++i)
     {
         speeds[i] = std::sqrt(longitudinal_modulus(tissue.point(i, 0.0)));

@@ -19,7 +19,8 @@ class DeformationPass;
 class TlsphSolver final : public Discretization
 {
   public:
-    /// Keeps references to both: they must outlive the solver. The law is neo-Hookean.
+    /// Keeps references to the first and to what the tissue refers to: they must outlive the solver. The law is
+    /// neo-Hookean.
     TlsphSolver(const Particles& particles, const Tissue& tissue);
     /// With another law: see deformation_pass.hpp.
     TlsphSolver(const Particles& particles, const Tissue& tissue, std::unique_ptr<const DeformationPass> deformation);
@@ -33,7 +34,7 @@ class TlsphSolver final : public Discretization
 
   private:
     const Particles& particles_;
-    const Tissue& tissue_;
+    Tissue tissue_;
     std::unique_ptr<const DeformationPass> deformation_;
     LargeVector<ForceRecord> records_;
     PerThread<std::vector<PairTerms>> terms_; ///< of the block at hand

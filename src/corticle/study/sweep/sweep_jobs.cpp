@@ -170,7 +170,7 @@ void Crew::start(std::size_t job, int threads)
     }
     catch (const RunError& error)
     {
-        finish(job, {"failed", error.what(), {}, {}});
+        finish(job, {"failed", error.what(), {}, {}, {}});
     }
 }
 
