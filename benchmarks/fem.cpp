@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/config/options.hpp"
-#include "corticle/model/discretization.hpp"
 #include "corticle/model/simulation.hpp"
+#include "corticle/model/terms.hpp"
 #include "corticle/prepare/prepare.hpp"
 
 #include <benchmark/benchmark.h>

@@ -52,7 +52,7 @@ EquilibriumMeasures equilibrium_measures(const EnergyBalance& energies, double v
 {
     const double least = least_density * volume;
     const double given =
-        energies.elastic + energies.zero_mode + energies.kinetic + energies.contact + energies.dissipated;
+        energies.elastic + energies.zero_mode + energies.kinetic + energies.others + energies.dissipated;
     EquilibriumMeasures m;
     m.zero_mode_share = ratio(energies.zero_mode, energies.elastic, least);
     m.kinetic_share = ratio(energies.kinetic, energies.elastic, least);

@@ -114,11 +114,16 @@ void set_energies(const Simulation& simulation, std::span<const Mat3> F, Measure
     m.energy_elastic = internal.elastic_energy;
     m.energy_kinetic = state.kinetic_energy;
     m.energy_zero_mode = internal.zero_mode_energy;
-    m.energy_contact = simulation.contact_energy();
+    double others = 0.0;
+    for (const auto& [name, value] : simulation.energies())
+    {
+        m.energy_contact += name == "contact" ? value : 0.0;
+        others += name == "elastic" || name == "zero_mode" ? 0.0 : value;
+    }
     m.energy_dissipated = state.books.dissipated;
     m.work_growth = state.books.growth_work;
     static_cast<EquilibriumMeasures&>(m) = equilibrium_measures(
-        {m.energy_elastic, m.energy_zero_mode, m.energy_kinetic, m.energy_contact, m.energy_dissipated, m.work_growth},
+        {m.energy_elastic, m.energy_zero_mode, m.energy_kinetic, others, m.energy_dissipated, m.work_growth},
         reference_volume(simulation.model()));
     m.residual_force = residual_force(simulation, F);
 }

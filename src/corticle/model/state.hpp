@@ -3,6 +3,7 @@
 
 #include "corticle/dynamics/integrator.hpp"
 #include "corticle/material/tissue.hpp"
+#include "corticle/mechanics/force_term.hpp"
 
 #include <cstdint>
 
@@ -14,13 +15,6 @@ struct EnergyBooks
 {
     double growth_work = 0.0; ///< put in by growth
     double dissipated = 0.0;  ///< taken by damping and by the travel limit of contact
-};
-
-/// What the travel limit of contact took from the motion.
-struct TravelTaken
-{
-    double energy = 0.0;           ///< kinetic [mu_w mm³]
-    std::int64_t vertex_steps = 0; ///< displacements it changed
 };
 
 /// All that changes as a run goes on. With the case a checkpoint of it is enough: forces, step and tissue follow.
@@ -37,6 +31,7 @@ struct State
     double kinetic_energy = 0.0; ///< [mu_w mm³]
     EnergyBooks books;
     TravelTaken travel_taken;        ///< in all steps so far
+    History history;                 ///< what terms carry from step to step
     double lowest_gi_sphere = 1e300; ///< lowest sphere index so far
     double onset_t = -1.0; ///< first t at which the sphere index stands 0.01 above its lowest; negative if not yet
 };

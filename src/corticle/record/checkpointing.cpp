@@ -15,6 +15,7 @@ namespace
 
 constexpr std::size_t clock_size = 9;
 constexpr std::size_t counters_size = 4;
+constexpr std::string_view history_prefix = "history.";
 
 std::string column_name(const MeasureColumn& column)
 {
@@ -90,6 +91,10 @@ Checkpoint to_checkpoint(const State& state, std::span<const Measures> rows, con
                                    state.travel_taken.energy};
     checkpoint.integers["counters"] = {state.steps, state.rejected_steps, state.travel_taken.vertex_steps,
                                        static_cast<std::int64_t>(rows.size())};
+    for (const auto& [name, values] : state.history)
+    {
+        checkpoint.scalars[std::string(history_prefix) + name] = values;
+    }
     for (const MeasureColumn& column : measure_columns())
     {
         std::vector<double>& values = checkpoint.scalars[column_name(column)];
@@ -131,6 +136,13 @@ Restored from_checkpoint(const Checkpoint& checkpoint, std::size_t particles, co
     state.steps = counters[0];
     state.rejected_steps = counters[1];
     state.travel_taken.vertex_steps = counters[2];
+    for (const auto& [name, values] : checkpoint.scalars)
+    {
+        if (name.starts_with(history_prefix))
+        {
+            state.history[name.substr(history_prefix.size())] = values;
+        }
+    }
     restored.rows.resize(static_cast<std::size_t>(counters[3]));
     for (const MeasureColumn& column : measure_columns())
     {

@@ -23,6 +23,12 @@ class FemSolver final : public Discretization
     /// Mean of F over the adjacent tets, weighted with their volume.
     std::vector<Mat3> deformation_gradients(std::span<const Vec3> x) const override;
 
+    std::int64_t node_of(std::int64_t tet) const override { return elements_.tets[static_cast<std::size_t>(tet)][0]; }
+    Vec3 place_of(std::int64_t tet, std::span<const Vec3> x) const override
+    {
+        return centroids(x, std::span(elements_.tets).subspan(static_cast<std::size_t>(tet), 1)).front();
+    }
+
     std::string diagnosis(std::int64_t node, std::span<const Vec3> x) const override;
 
   private:
