@@ -66,8 +66,9 @@ TEST_F(OtherMaterial, IsNotTheLawOfTheProgram)
     const InternalResponse known = TlsphSolver(body.particles, body.tissue).evaluate(x, growth_time, forces);
     const InternalResponse other = solver.evaluate(x, growth_time, forces);
     EXPECT_GT(std::abs(other.elastic_energy / known.elastic_energy - 1.0), 1e-4);
-    EXPECT_EQ(other.smallest_J, known.smallest_J);
-    EXPECT_EQ(other.stiffest_rate, known.stiffest_rate);
+    // The same formulas compiled beside another law: the compiler contracts them differently.
+    EXPECT_NEAR(other.smallest_J / known.smallest_J, 1.0, 1e-12);
+    EXPECT_NEAR(other.stiffest_rate / known.stiffest_rate, 1.0, 1e-12);
 }
 
 TEST_F(OtherMaterial, MovesAndKeepsItsEnergy)
