@@ -98,8 +98,7 @@ std::vector<double> ellipsoid_layer(std::span<const Vec3> positions, std::span<c
 
 double wave_speed(const TissueOptions& options)
 {
-    const MaterialPoint white = material_point(options, 0.0, 1.0, 0.0);
-    return std::sqrt(white.bulk_modulus + 4.0 / 3.0 * white.shear_modulus);
+    return std::sqrt(longitudinal_modulus(material_point(options, 0.0, 1.0, 0.0)));
 }
 
 } // namespace corticle

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "corticle/material/growth.hpp"
-#include "corticle/material/options.hpp"
+#include "corticle/material/material_point.hpp"
 #include "corticle/material/size.hpp"
 
 #include <array>
@@ -12,40 +12,6 @@
 
 namespace corticle
 {
-
-/// Moduli and growth of one material point at a time t.
-template <RealLike Real>
-struct BasicMaterialPoint
-{
-    Real growth;             ///< g_t, in the plane of the layer [-]
-    Real radial_growth;      ///< g_r, along the normal [-]
-    Real growth_rate;        ///< dg_t/dt [-]
-    Real radial_growth_rate; ///< dg_r/dt [-]
-    Real shear_modulus;      ///< [mu_w]
-    Real bulk_modulus;       ///< [mu_w]
-    Real shear_rate{};       ///< dmu/dt where the layer moves [mu_w]
-    Real bulk_rate{};        ///< dK/dt where the layer moves [mu_w]
-};
-using MaterialPoint = BasicMaterialPoint<double>;
-
-/// mu = theta mu_c + (1 - theta) mu_w; K = ratio mu (per tissue) or one constant (uniform);
-/// g_t = 1 + (alpha_t theta + alpha_white (1 - theta)) m f, g_r the same with alpha_r.
-/// @param course  f, equal to t for the linear law; rates are per f, theta fixed
-template <RealLike Real>
-CORTICLE_INLINE BasicMaterialPoint<Real> material_point(const TissueOptions& options, const Real& theta,
-                                                        const Real& regional_rate, double course)
-{
-    const Real mu = theta * options.mu_cortex + (1.0 - theta) * options.mu_white;
-    const Real white = options.alpha_white * (1.0 - theta);
-    const Real tangential = (options.alpha_t * theta + white) * regional_rate;
-    const Real radial = (options.alpha_r * theta + white) * regional_rate;
-    return {1.0 + tangential * course,
-            1.0 + radial * course,
-            tangential,
-            radial,
-            mu,
-            options.bulk == BulkRule::per_tissue ? options.bulk_modulus * mu : broadcast<Real>(options.bulk_modulus)};
-}
 
 /// Growth that the body as imaged has behind it.
 struct PastGrowth

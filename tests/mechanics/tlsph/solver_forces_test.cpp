@@ -112,8 +112,8 @@ TEST_P(TlsphForces, AgreeWithPlainLoops)
             material_point(tissue.options, tissue.theta[i], tissue.regional_rate[i], GetParam().t);
         const double g = point.growth;
         const Mat3 G = g * Mat3::identity() + (1.0 - g) * outer(tissue.normal[i], tissue.normal[i]);
-        const NeoHookean law{point.shear_modulus, point.bulk_modulus, tissue.options.barrier_J};
-        const ElasticResponse elastic = law.respond(F * inverse(G));
+        const NeoHookean law{tissue.options.barrier_J};
+        const ElasticResponse elastic = elastic_response(law, point.shear_modulus, point.bulk_modulus, F * inverse(G));
         const Mat3 P = determinant(G) * (elastic.stress * transpose(inverse(G)));
         zeta[i] = p.options.zeta * point.shear_modulus * g * g;
         M[i] = p.volume[i] * (P * L) - zeta[i] * F;

@@ -2,6 +2,7 @@
 #include "corticle/mechanics/contact/surface_contact.hpp"
 
 #include "corticle/base/parallel.hpp"
+#include "corticle/base/simd.hpp"
 
 #include <fmt/format.h>
 
