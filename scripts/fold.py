@@ -43,7 +43,9 @@ def files_of(case):
 def fingerprint(command, case):
     """What the results depend on, by content: the command, the case and the files it names."""
     digest = hashlib.sha256()
-    for key, path in (("command", command), ("case", case), *files_of(case)):
+    mesher = command.parent / "corticle-tetrahedralize"
+    programs = [("command", command), *([("mesher", mesher)] if mesher.is_file() else [])]
+    for key, path in (*programs, ("case", case), *files_of(case)):
         digest.update(f"{key} {hashlib.sha256(path.read_bytes()).hexdigest()}\n".encode())
     return digest.hexdigest()
 

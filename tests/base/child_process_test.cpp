@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/base/child_process.hpp"
 
-#include <gtest/gtest.h>
+#include "corticle/base/error.hpp"
 
-#include <cstdlib>
-#include <new>
-#include <stdexcept>
+#include <gtest/gtest.h>
 
 namespace corticle
 {
@@ -13,44 +11,41 @@ namespace corticle
 namespace
 {
 
-std::optional<std::string> of_children(const std::string& what)
+ProcessEnd of_shell(const std::string& command, std::string_view input = {})
 {
-    return in_child_process(
-        [&]() -> std::string
-        {
-            if (what == "crash")
-            {
-                std::raise(SIGKILL);
-            }
-            if (what == "memory")
-            {
-                throw std::bad_alloc();
-            }
-            if (what == "throw")
-            {
-                throw std::runtime_error("wrong");
-            }
-            return what;
-        });
+    return run_program({"/bin/sh", "-c", command}, input);
 }
 
 } // namespace
 
-TEST(ChildProcess, ReturnsWhatTheChildReturnedOrNothing)
+TEST(ChildProcess, GivesBackOutputsAndStatus)
 {
-    EXPECT_EQ(of_children("done"), "done");
-    EXPECT_EQ(of_children("throw"), std::nullopt);
-    EXPECT_EQ(of_children("crash"), std::nullopt);
-    EXPECT_THROW(of_children("memory"), std::bad_alloc);
+    const ProcessEnd end = of_shell("cat; echo word >&2; exit 7", "some text");
+    EXPECT_EQ(end.output, "some text");
+    EXPECT_EQ(end.errors, "word\n");
+    EXPECT_EQ(end.status, 7);
+    EXPECT_EQ(end.signal, 0);
+}
+
+TEST(ChildProcess, NeitherSideWaitsForTheOtherToReadOrWrite)
+{
+    const std::string much(10'000'000, 'x');
+    EXPECT_EQ(of_shell("cat", much).output, much);
+    EXPECT_EQ(of_shell("exit 0", much).output, ""); // nothing is read
 }
 
 TEST(ChildProcess, SeesACrashAlsoWhereSigchldIsIgnored)
 {
+    EXPECT_EQ(of_shell("kill -SEGV $$").signal, SIGSEGV);
     std::signal(SIGCHLD, SIG_IGN);
-    EXPECT_EQ(of_children("done"), "done");
-    EXPECT_EQ(of_children("crash"), std::nullopt);
-    EXPECT_THROW(of_children("memory"), std::bad_alloc);
+    EXPECT_EQ(of_shell("exit 3").status, 3);
+    EXPECT_EQ(of_shell("kill -KILL $$").signal, SIGKILL);
     EXPECT_EQ(std::signal(SIGCHLD, SIG_DFL), SIG_IGN) << "the action found is not restored";
+}
+
+TEST(ChildProcess, AProgramThatIsMissingIsAnError)
+{
+    EXPECT_THROW(run_program({"/no/such/program"}, ""), RunError);
 }
 
 } // namespace corticle

@@ -3,6 +3,7 @@
 """Finite elements by the command: a run, killed and resumed, on one thread and two; a prepared body; bad tet meshes."""
 
 import json
+import os
 import signal
 
 import _command
@@ -118,4 +119,24 @@ def bad_tets(bench):
     bench.refused(["run", "case.toml", "--out", "out", "--set", "geometry.file=ball.off"], ["tet mesh"])
 
 
-_command.main(__doc__, run, bad_keys, bad_tets)
+def mesher(bench):
+    """The program that meshes: missing, crashing, and interrupted."""
+    bench.write("case.toml", CASE)
+    try:
+        for script, part in ((None, "cannot start"), ("kill -SEGV $$", "signal 11")):
+            if script:
+                (bench.folder / bench.write("mesher", f"#!/bin/sh\n{script}\n")).chmod(0o755)
+            os.environ["CORTICLE_TETRAHEDRALIZE"] = str(bench.folder / "mesher")
+            bench.refused(["run", "case.toml", "--out", "no"], [part, "mesher"], status=3)
+        bench.write("mesher", "#!/bin/sh\necho $$ > pid\nexec sleep 60\n")
+        process = bench.start("run", "case.toml", "--out", "no")
+        began = wait_for(process, lambda: (bench.folder / "pid").is_file() and (bench.folder / "pid").read_text(), 60)
+        status, _ = stop(process, signal.SIGINT)
+        bench.check(began and status == 130, f"interrupted in meshing: exit status {status}")
+        os.kill(int((bench.folder / "pid").read_text()), signal.SIGKILL)  # unlike this script, the program dies with it
+    finally:
+        del os.environ["CORTICLE_TETRAHEDRALIZE"]
+    bench.check(not (bench.folder / "no").exists(), "a run without tets leaves a folder")
+
+
+_command.main(__doc__, run, bad_keys, bad_tets, mesher)

@@ -8,6 +8,7 @@
 #include "corticle/mechanics/tlsph/particles.hpp"
 #include "corticle/mesh/space_filling_curve.hpp"
 #include "geometry/simple_tets.hpp"
+#include "mesh/mesh_volume.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -4,7 +4,6 @@
 #include "corticle/base/error.hpp"
 #include "corticle/config/case_checks.hpp"
 #include "corticle/config/case_file.hpp"
-#include "corticle/config/expectations.hpp"
 #include "corticle/config/starter.hpp"
 
 #include <gtest/gtest.h>
@@ -154,16 +153,6 @@ TEST(CaseFile, ShippedCasesAreValid)
     EXPECT_EQ(read_case(case_path("brain.toml"), surface).geometry.particles, 60000);
     EXPECT_THROW(read_case(case_path("brain.toml"), {}), InputError);
     EXPECT_THROW(read_case(case_path("segmentation.toml"), {}), InputError);
-}
-
-TEST(CaseFile, ExpectationsAreRanges)
-{
-    const auto expected = read_expectations(case_path("sphere.toml"));
-    EXPECT_EQ(expected.at("onset_t"), (std::array<double, 2>{0.229, 0.253}));
-    const auto file = std::filesystem::path(::testing::TempDir()) / "corticle_expect.toml";
-    std::ofstream(file) << "[expect]\nonset_t = [0.3, 0.2]\n";
-    EXPECT_THROW(read_expectations(file), InputError);
-    std::filesystem::remove(file);
 }
 
 TEST(CaseFile, EveryKeyIsInTheSchema)

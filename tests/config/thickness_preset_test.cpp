@@ -39,9 +39,6 @@ TEST(ThicknessPreset, SetsBothNumbers)
     const TissueOptions linear = parse(preset_case).tissue;
     EXPECT_EQ(linear.thickness_mm, 2.5);
     EXPECT_EQ(linear.thickness_rate_mm, 0.3);
-    const TissueOptions constant = parse("", {"tissue.thickness_preset=constant_1.24mm"}).tissue;
-    EXPECT_EQ(constant.thickness_mm, 1.24);
-    EXPECT_EQ(constant.thickness_rate_mm, 0.0);
     EXPECT_EQ(parse("").tissue.thickness_mm, TissueOptions{}.thickness_mm);
     EXPECT_EQ(parse("[tissue]\nthickness_preset = \"none\"\nthickness_mm = 2\n").tissue.thickness_mm, 2.0);
 }
@@ -63,8 +60,6 @@ TEST(ThicknessPreset, TheResolvedCaseReadsBack)
     EXPECT_EQ(text.find("thickness_mm"), std::string::npos);
     EXPECT_EQ(to_toml(parse(text)), text);
     EXPECT_EQ(parse(text).tissue.thickness_rate_mm, 0.3);
-    EXPECT_EQ(differing_keys(text, to_toml(parse(preset_case, {"tissue.thickness_preset=constant_1.24mm"}))).size(),
-              1u);
 }
 
 TEST(ThicknessPreset, ExcludesTheNumbers)

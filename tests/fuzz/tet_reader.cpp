@@ -2,9 +2,9 @@
 // Feeds damaged tet meshes to the reader, and what it accepts to the repair. Usage: tet_reader [seconds].
 #include "corticle/formats/tets/tet_reader.hpp"
 
-#include "corticle/formats/vtk_files.hpp"
 #include "corticle/geometry/validate_tets.hpp"
 #include "formats/tets/tet_samples.hpp"
+#include "formats/tets/tet_writers.hpp"
 #include "fuzz/reader_fuzz.hpp"
 #include "geometry/simple_tets.hpp"
 
@@ -23,7 +23,7 @@ std::vector<Sample> samples()
         result.push_back(std::move(sample));
     }
     const TemporaryFolder folder;
-    write_tets_vtu(folder / "a.vtu", mesh.vertices, mesh.tets, {});
+    write_tets_vtu(folder / "a.vtu", mesh);
     result.emplace_back("vtu", bytes_of(folder / "a.vtu"));
     return result;
 }

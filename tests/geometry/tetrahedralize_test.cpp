@@ -6,10 +6,17 @@
 #include "corticle/geometry/remesh.hpp"
 #include "corticle/geometry/shapes.hpp"
 #include "corticle/geometry/validate_tets.hpp"
+#include "formats/temporary_folder.hpp"
+#include "mesh/mesh_volume.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <numbers>
 #include <random>
@@ -18,6 +25,10 @@ namespace corticle
 {
 namespace
 {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 constexpr std::int64_t nodes = 2200;
 
@@ -89,6 +100,79 @@ TEST(Tetrahedralize, ASurfaceThatCrossesItselfIsRefused)
         v.x = v.x > 5.0 ? v.x - 20.0 : v.x;
     }
     EXPECT_THROW(tetrahedralize(surface, nodes), InputError);
+}
+
+/// While it lives, a shell script meshes in place of the program.
+class OtherProgram
+{
+  public:
+    explicit OtherProgram(const std::string& script)
+    {
+        const std::filesystem::path file = folder_ / "program";
+        if (!script.empty())
+        {
+            std::ofstream(file) << "#!/bin/sh\n" << script << '\n';
+            std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+        }
+        setenv("CORTICLE_TETRAHEDRALIZE", file.c_str(), 1);
+    }
+    ~OtherProgram() { unsetenv("CORTICLE_TETRAHEDRALIZE"); }
+    OtherProgram(const OtherProgram&) = delete;
+    OtherProgram& operator=(const OtherProgram&) = delete;
+
+  private:
+    TemporaryFolder folder_;
+};
+
+/// What is said where a script meshes.
+std::string failure(const std::string& script)
+{
+    const OtherProgram other(script);
+    try
+    {
+        tetrahedralize(ellipsoid_surface(), nodes);
+    }
+    catch (const RunError& error)
+    {
+        return error.what();
+    }
+    catch (const InputError& error)
+    {
+        return std::string("input: ") + error.what();
+    }
+    return "no failure";
+}
+
+TEST(Tetrahedralize, AProgramThatIsMissingOrFailsIsNamed)
+{
+    EXPECT_THAT(failure(""), AllOf(HasSubstr("cannot start"), HasSubstr("No such file")));
+    EXPECT_THAT(failure("kill -SEGV $$"), HasSubstr("ended by signal 11"));
+    EXPECT_THAT(failure("echo lost >&2; exit 127"), HasSubstr("exit status 127, lost"));
+    EXPECT_THAT(failure("exit 1"), StartsWith("input: surface of"));
+    const OtherProgram other("exit 2");
+    EXPECT_THROW(tetrahedralize(ellipsoid_surface(), nodes), std::bad_alloc);
+}
+
+TEST(Tetrahedralize, OutputThatIsNoMeshIsRefused)
+{
+    const std::string beside =
+        (std::filesystem::read_symlink("/proc/self/exe").parent_path() / "corticle-tetrahedralize").string();
+    const auto is_refused = HasSubstr("are no mesh of this surface");
+    EXPECT_THAT(failure("exit 0"), is_refused);
+    EXPECT_THAT(failure("head -c 100000 /dev/zero"), is_refused);
+    EXPECT_THAT(failure("cat"), is_refused);
+    EXPECT_THAT(failure(beside + " | head -c 50000"), is_refused);
+    EXPECT_THAT(failure(beside + "; echo more"), is_refused);
+    EXPECT_THAT(failure("printf 'tets 1\\n\\377\\377\\377\\377\\377\\377\\377\\377'"), is_refused);
+    EXPECT_EQ(failure(beside), "no failure");
+}
+
+TEST(Tetrahedralize, WorksWhereSigchldIsIgnored)
+{
+    std::signal(SIGCHLD, SIG_IGN);
+    EXPECT_FALSE(tetrahedralize(ellipsoid_surface(), nodes).tets.empty());
+    EXPECT_THAT(failure("kill -SEGV $$"), HasSubstr("ended by signal 11"));
+    EXPECT_EQ(std::signal(SIGCHLD, SIG_DFL), SIG_IGN);
 }
 
 TEST(Tetrahedralize, MeetsTheNumberOfTetsAskedFor)

@@ -3,6 +3,7 @@
 
 #include "corticle/base/error.hpp"
 #include "geometry/simple_tets.hpp"
+#include "mesh/mesh_volume.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -3,6 +3,7 @@
 
 #include "corticle/geometry/validate.hpp"
 #include "geometry/simple_tets.hpp"
+#include "mesh/mesh_volume.hpp"
 
 #include <gtest/gtest.h>
 

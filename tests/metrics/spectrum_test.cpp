@@ -21,6 +21,12 @@ using std::numbers::pi;
 
 constexpr double R = 12.496;
 
+/// Wavelength of a degree on a sphere [mm] (Jeans 1923).
+double wavelength_of_degree(double radius, int degree)
+{
+    return 2.0 * pi * radius / std::sqrt(static_cast<double>(degree) * (degree + 1.0));
+}
+
 /// A sectoral harmonic of degree l along an axis.
 double sectoral(int l, const Vec3& n)
 {

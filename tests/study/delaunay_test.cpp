@@ -3,6 +3,7 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/base/random.hpp"
+#include "mesh/mesh_volume.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/base/child_process.hpp"
 
+#include "corticle/base/error.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <system_error>
+
 #include <fcntl.h>
-#include <sys/prctl.h>
+#include <spawn.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-#include <array>
-#include <cerrno>
-#include <cstdio>
-#include <new>
-#include <system_error>
-#include <utility>
 
 namespace corticle
 {
@@ -19,76 +20,86 @@ namespace corticle
 namespace
 {
 
-// Exit statuses of the child.
-constexpr int failed = 1;
-constexpr int out_of_memory = 2;
+constexpr int unknown_status = 255; ///< somebody else has waited for the process
 
-bool write_all(int file, const std::string& bytes)
+/// A file in memory: unlike the ends of pipes, neither process waits for the other to read or write it.
+class MemoryFile
 {
-    std::size_t done = 0;
-    while (done < bytes.size())
+  public:
+    explicit MemoryFile(std::string_view content = {})
     {
-        const ssize_t count = write(file, bytes.data() + done, bytes.size() - done);
-        if (count < 0 && errno != EINTR)
+        const int first = memfd_create("exchange", MFD_CLOEXEC);
+        file_ = fcntl(first, F_DUPFD_CLOEXEC, STDERR_FILENO + 1); // none of those it is to replace
+        close(first);
+        if (file_ < 0 || !write(content))
         {
-            return false;
+            const int reason = errno;
+            close(file_);
+            throw std::system_error(reason, std::generic_category(), "memory for a program's input");
         }
-        done += count > 0 ? static_cast<std::size_t>(count) : 0;
     }
-    return true;
-}
+    ~MemoryFile() { close(file_); }
+    MemoryFile(const MemoryFile&) = delete;
+    MemoryFile& operator=(const MemoryFile&) = delete;
 
-std::string read_all(int file)
-{
-    std::string bytes;
-    std::array<char, 65536> buffer;
-    for (;;)
+    int number() const { return file_; }
+    std::string content() const
     {
-        const ssize_t count = read(file, buffer.data(), buffer.size());
-        if (count == 0 || (count < 0 && errno != EINTR))
+        std::string bytes(static_cast<std::size_t>(lseek(file_, 0, SEEK_END)), '\0');
+        std::size_t done = 0;
+        while (done < bytes.size())
         {
-            return bytes;
+            const ssize_t count = pread(file_, bytes.data() + done, bytes.size() - done, static_cast<off_t>(done));
+            if (count <= 0)
+            {
+                break;
+            }
+            done += static_cast<std::size_t>(count);
         }
-        bytes.append(buffer.data(), count > 0 ? static_cast<std::size_t>(count) : 0);
+        bytes.resize(done);
+        return bytes;
     }
-}
 
-[[noreturn]] void be_the_child(int out, pid_t parent, const std::function<std::string()>& work)
-{
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != parent)
+  private:
+    bool write(std::string_view content) const
     {
-        _exit(failed); // the parent ended before the line above
+        while (!content.empty())
+        {
+            const ssize_t count = ::write(file_, content.data(), content.size());
+            if (count <= 0)
+            {
+                return false;
+            }
+            content.remove_prefix(static_cast<std::size_t>(count));
+        }
+        return lseek(file_, 0, SEEK_SET) == 0;
     }
-    const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
-    dup2(nowhere, STDOUT_FILENO);
-    dup2(nowhere, STDERR_FILENO);
-    int status = failed;
-    try
-    {
-        status = write_all(out, work()) ? 0 : failed;
-    }
-    catch (const std::bad_alloc&)
-    {
-        status = out_of_memory;
-    }
-    catch (...)
-    {
-        status = failed;
-    }
-    _exit(status); // nothing of the parent is flushed or destroyed twice
-}
 
-/// The exit status; negative where a signal ended the child, or nothing is known of its end.
-int status_of(pid_t child)
+    int file_ = -1;
+};
+
+/// 0, or the error.
+int spawn(const std::vector<std::string>& words, const MemoryFile& input, const MemoryFile& output,
+          const MemoryFile& errors, pid_t& child)
 {
-    int status = 0;
-    pid_t waited = waitpid(child, &status, 0);
-    while (waited < 0 && errno == EINTR)
+    std::vector<char*> pointers;
+    for (const std::string& word : words)
     {
-        waited = waitpid(child, &status, 0);
+        pointers.push_back(const_cast<char*>(word.c_str())); // nobody changes them
     }
-    return waited == child && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    pointers.push_back(nullptr);
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    posix_spawn_file_actions_adddup2(&files, input.number(), STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&files, output.number(), STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&files, errors.number(), STDERR_FILENO);
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    const int error = posix_spawn(&child, pointers[0], &files, &attributes, pointers.data(), environ);
+    posix_spawnattr_destroy(&attributes);
+    posix_spawn_file_actions_destroy(&files);
+    return error;
 }
 
 } // namespace
@@ -112,36 +123,29 @@ WaitableChildren::~WaitableChildren()
     sigaction(SIGCHLD, &found_, nullptr);
 }
 
-std::optional<std::string> in_child_process(const std::function<std::string()>& work)
+ProcessEnd run_program(const std::vector<std::string>& words, std::string_view input)
 {
-    std::array<int, 2> ends;
-    if (pipe2(ends.data(), O_CLOEXEC) != 0)
-    {
-        throw std::system_error(errno, std::generic_category(), "pipe");
-    }
     const WaitableChildren waitable;
-    std::fflush(nullptr);
-    const pid_t parent = getpid();
-    const pid_t child = fork();
-    if (child == 0)
+    const MemoryFile in(input);
+    const MemoryFile out;
+    const MemoryFile errors;
+    pid_t child = -1;
+    if (const int error = spawn(words, in, out, errors, child); error != 0)
     {
-        close(ends[0]);
-        be_the_child(ends[1], parent, work);
+        throw RunError(fmt::format("cannot start {}: {}", words.front(), std::generic_category().message(error)));
     }
-    const int fork_error = errno;
-    close(ends[1]);
-    std::string bytes = child > 0 ? read_all(ends[0]) : std::string{};
-    close(ends[0]);
-    if (child < 0)
+    int status = 0;
+    pid_t waited = -1;
+    do
     {
-        throw std::system_error(fork_error, std::generic_category(), "fork");
-    }
-    const int status = status_of(child);
-    if (status == out_of_memory)
-    {
-        throw std::bad_alloc();
-    }
-    return status == 0 ? std::optional(std::move(bytes)) : std::nullopt;
+        waited = waitpid(child, &status, 0);
+    } while (waited < 0 && errno == EINTR);
+    ProcessEnd end;
+    end.signal = waited == child && WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+    end.status = waited == child && WIFEXITED(status) ? WEXITSTATUS(status) : unknown_status;
+    end.output = out.content();
+    end.errors = errors.content();
+    return end;
 }
 
 } // namespace corticle

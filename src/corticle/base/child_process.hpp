@@ -2,9 +2,9 @@
 #pragma once
 
 #include <csignal>
-#include <functional>
-#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace corticle
 {
@@ -25,12 +25,19 @@ class WaitableChildren
     };
 };
 
-/// Runs `work` in a child of this process, silent, and returns what it returned; nothing when it crashed or threw.
-/// For libraries that keep state from call to call, print, change the number of threads or may crash: here each call is
-/// the first one. The child dies with this process. Call outside of parallel loops and before this process starts
-/// threads of its own, above all those of the renderer: the child has none of them, but the locks they hold stay held.
-/// In the child, work on one thread only.
-/// @throws std::bad_alloc when the child ran out of memory
-std::optional<std::string> in_child_process(const std::function<std::string()>& work);
+/// How a process ended.
+struct ProcessEnd
+{
+    int status = 0;     ///< exit status; meaningless where a signal ended it
+    int signal = 0;     ///< 0: it ended by itself
+    std::string output; ///< what it wrote to standard output
+    std::string errors; ///< what it wrote to standard error
+};
+
+/// Runs a program to its end, `input` its standard input. It has a process group of its own, so that Ctrl-C reaches
+/// only this process. Safe whatever threads this process has.
+/// @param words  the path of the program, and its arguments
+/// @throws RunError when it cannot be started
+ProcessEnd run_program(const std::vector<std::string>& words, std::string_view input);
 
 } // namespace corticle

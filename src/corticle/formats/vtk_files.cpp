@@ -149,19 +149,6 @@ void write_particles_vtu(const std::filesystem::path& file, std::span<const Vec3
     write<vtkXMLUnstructuredGridWriter>(file, particles);
 }
 
-void write_tets_vtu(const std::filesystem::path& file, std::span<const Vec3> points, std::span<const Tet> tets,
-                    std::span<const Field> point_fields)
-{
-    vtkNew<vtkUnstructuredGrid> mesh;
-    mesh->SetPoints(points_of(points));
-    mesh->SetCells(VTK_TETRA,
-                   cells_of(tets.size(), 4,
-                            [&](vtkIdType i)
-                            { return tets[static_cast<std::size_t>(i / 4)][static_cast<std::size_t>(i % 4)]; }));
-    add_fields(mesh->GetPointData(), point_fields, points.size());
-    write<vtkXMLUnstructuredGridWriter>(file, mesh);
-}
-
 void write_pvd(const std::filesystem::path& file, std::span<const std::pair<double, std::string>> frames)
 {
     std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "

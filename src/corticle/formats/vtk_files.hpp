@@ -2,7 +2,7 @@
 #pragma once
 
 #include "corticle/formats/field.hpp"
-#include "corticle/mesh/tet_mesh.hpp"
+#include "corticle/mesh/triangle_mesh.hpp"
 
 #include <filesystem>
 #include <utility>
@@ -18,10 +18,6 @@ void write_surface_vtp(const std::filesystem::path& file, std::span<const Vec3> 
 /// Writes particles as .vtu, one vertex cell each, with point fields; `ids` becomes the integer array "id".
 void write_particles_vtu(const std::filesystem::path& file, std::span<const Vec3> points,
                          std::span<const std::int32_t> ids, std::span<const Field> point_fields);
-
-/// Writes a tet mesh as .vtu with point fields; read_tets reads its mesh back to the bit.
-void write_tets_vtu(const std::filesystem::path& file, std::span<const Vec3> points, std::span<const Tet> tets,
-                    std::span<const Field> point_fields);
 
 /// Writes the ParaView time series: (time, file name relative to the .pvd).
 void write_pvd(const std::filesystem::path& file, std::span<const std::pair<double, std::string>> frames);

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/geometry/tetrahedralize.hpp"
 
-#include "corticle/base/ascending_new.hpp"
 #include "corticle/base/child_process.hpp"
 #include "corticle/base/error.hpp"
-#include "corticle/base/parallel.hpp"
+#include "corticle/geometry/tet_exchange.hpp"
 
 #include <fmt/format.h>
-#include <gmsh.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <new>
+#include <optional>
 
 namespace corticle
 {
@@ -20,110 +21,69 @@ namespace corticle
 namespace
 {
 
-constexpr int triangle_type = 2; // Gmsh's numbers of element types
-constexpr int tet_type = 4;
+namespace fs = std::filesystem;
+
 // Measured on spheres of 1,500 to 96,000 nodes, within 1 %.
 constexpr double size_per_node = 0.847; // size asked of HXT, over the cube root of the volume it then gives each node
 constexpr double tets_per_node = 6.297;
 constexpr double tets_less_per_vertex = 3.42; // of the surface
 
-void add_surface(const TriangleMesh& surface)
+/// The program that meshes: where the environment says, or beside this one.
+fs::path program()
 {
-    std::vector<std::size_t> tags;
-    std::vector<double> coordinates;
-    for (const Vec3& v : surface.vertices)
+    if (const char* named = std::getenv("CORTICLE_TETRAHEDRALIZE"))
     {
-        tags.push_back(tags.size() + 1);
-        coordinates.insert(coordinates.end(), {v.x, v.y, v.z});
+        return named;
     }
-    std::vector<std::size_t> corners;
-    for (const Triangle& t : surface.triangles)
-    {
-        for (const std::int32_t vertex : t)
-        {
-            corners.push_back(static_cast<std::size_t>(vertex) + 1);
-        }
-    }
-    gmsh::model::add("body");
-    const int entity = gmsh::model::addDiscreteEntity(2);
-    gmsh::model::mesh::addNodes(2, entity, tags, coordinates);
-    gmsh::model::mesh::addElementsByType(entity, triangle_type, {}, corners);
-    gmsh::model::geo::addVolume({gmsh::model::geo::addSurfaceLoop({entity})});
-    gmsh::model::geo::synchronize();
+    return fs::read_symlink("/proc/self/exe").parent_path() / "corticle-tetrahedralize";
 }
 
-/// What Gmsh made: the nodes of the surface first, then the others by their tags.
-TetMesh read_tets(const TriangleMesh& surface)
+TetRequest request_for(const TriangleMesh& surface, double size)
 {
-    std::vector<std::size_t> tags;
-    std::vector<double> coordinates;
-    std::vector<double> parameters;
-    gmsh::model::mesh::getNodes(tags, coordinates, parameters);
-    const std::size_t largest = tags.empty() ? 0 : *std::ranges::max_element(tags);
-    std::vector<std::int32_t> node_of(std::max(largest, surface.vertices.size()) + 1, -1);
+    TetRequest request;
+    request.size = {size};
+    for (const Vec3& v : surface.vertices)
+    {
+        request.coordinates.insert(request.coordinates.end(), {v.x, v.y, v.z});
+    }
+    for (const Triangle& t : surface.triangles)
+    {
+        request.corners.insert(request.corners.end(), t.begin(), t.end());
+    }
+    return request;
+}
+
+TetMesh mesh_of(const TetAnswer& answer)
+{
     TetMesh mesh;
-    mesh.vertices = surface.vertices;
-    for (std::size_t i = 0; i < surface.vertices.size(); ++i)
+    for (std::size_t k = 0; k < answer.coordinates.size(); k += 3)
     {
-        node_of[i + 1] = static_cast<std::int32_t>(i);
+        const double* const at = &answer.coordinates[k];
+        mesh.vertices.push_back({at[0], at[1], at[2]});
     }
-    for (std::size_t k = 0; k < tags.size(); ++k)
+    for (std::size_t k = 0; k < answer.corners.size(); k += 4)
     {
-        if (node_of[tags[k]] < 0)
-        {
-            node_of[tags[k]] = static_cast<std::int32_t>(mesh.vertices.size());
-            mesh.vertices.push_back({coordinates[3 * k], coordinates[3 * k + 1], coordinates[3 * k + 2]});
-        }
-    }
-    std::vector<std::size_t> elements;
-    std::vector<std::size_t> corners;
-    gmsh::model::mesh::getElementsByType(tet_type, elements, corners);
-    for (std::size_t k = 0; k + 3 < corners.size(); k += 4)
-    {
-        mesh.tets.push_back(
-            {node_of[corners[k]], node_of[corners[k + 1]], node_of[corners[k + 2]], node_of[corners[k + 3]]});
+        const std::int32_t* const corner = &answer.corners[k];
+        mesh.tets.push_back({corner[0], corner[1], corner[2], corner[3]});
     }
     return mesh;
 }
 
-template <class T>
-void append(std::string& bytes, const std::vector<T>& values)
+/// Whether the mesh begins with the surface and has numbers only.
+bool fits(const TetMesh& mesh, const TriangleMesh& surface)
 {
-    const std::size_t count = values.size();
-    bytes.append(reinterpret_cast<const char*>(&count), sizeof count);
-    bytes.append(reinterpret_cast<const char*>(values.data()), count * sizeof(T));
+    return mesh.vertices.size() >= surface.vertices.size() && std::ranges::all_of(mesh.vertices, is_finite) &&
+           std::equal(surface.vertices.begin(), surface.vertices.end(), mesh.vertices.begin());
 }
 
-template <class T>
-std::vector<T> take(std::string_view& bytes)
+/// How a program ended that has made no mesh.
+std::string how_it_ended(const ProcessEnd& end)
 {
-    std::size_t count = 0;
-    std::memcpy(&count, bytes.data(), sizeof count);
-    std::vector<T> values(count);
-    std::memcpy(static_cast<void*>(values.data()), bytes.data() + sizeof count, count * sizeof(T));
-    bytes.remove_prefix(sizeof count + count * sizeof(T));
-    return values;
-}
-
-/// The tets as bytes.
-std::string fill(const TriangleMesh& surface, double size)
-{
-    make_new_ascend();   // Gmsh orders vertices by their addresses, and its tets by that
-    set_thread_count(1); // with more, the tets would depend on their number
-    gmsh::initialize(0, nullptr, false);
-    gmsh::option::setNumber("General.Terminal", 0);
-    gmsh::option::setNumber("General.NumThreads", 1);
-    gmsh::option::setNumber("Mesh.RandomSeed", 1);
-    gmsh::option::setNumber("Mesh.Algorithm3D", 10); // HXT
-    gmsh::option::setNumber("Mesh.MeshSizeMax", size);
-    add_surface(surface);
-    std::srand(1); // HXT draws from the C library
-    gmsh::model::mesh::generate(3);
-    const TetMesh mesh = read_tets(surface);
-    std::string bytes;
-    append(bytes, mesh.vertices);
-    append(bytes, mesh.tets);
-    return bytes;
+    std::string said = end.errors.substr(0, end.errors.find_last_not_of("\n ") + 1);
+    said.erase(0, said.rfind('\n') + 1);
+    return end.signal != 0   ? fmt::format("ended by signal {} ({})", end.signal, strsignal(end.signal))
+           : end.status == 0 ? fmt::format("its {} bytes of output are no mesh of this surface", end.output.size())
+                             : fmt::format("exit status {}{}{}", end.status, said.empty() ? "" : ", ", said);
 }
 
 } // namespace
@@ -134,20 +94,25 @@ TetMesh tetrahedralize(const TriangleMesh& surface, std::int64_t nodes)
     const double half = 0.5 * static_cast<double>(surface.vertices.size());
     const double cells = std::max(static_cast<double>(nodes) - half, half);
     const double size = size_per_node * std::cbrt(enclosed_volume(surface.vertices, surface.triangles) / cells);
-    // Gmsh prints, keeps state from call to call and may end the program on a bad surface.
-    const std::optional<std::string> bytes = in_child_process([&] { return fill(surface, size); });
-    TetMesh mesh;
-    if (bytes)
+    const std::string words = program().string();
+    const ProcessEnd end = run_program({words}, to_bytes(request_for(surface, size)));
+    const auto status = end.signal == 0 ? std::optional(static_cast<TetStatus>(end.status)) : std::nullopt;
+    if (status == TetStatus::out_of_memory)
     {
-        std::string_view rest = *bytes;
-        mesh.vertices = take<Vec3>(rest);
-        mesh.tets = take<Tet>(rest);
+        throw std::bad_alloc();
     }
-    if (mesh.tets.empty())
+    if (status == TetStatus::not_filled)
     {
         throw InputError(fmt::format("surface of {} triangles: Gmsh cannot fill it with tetrahedra; expected a closed "
-                                     "surface that does not cross itself, and enough memory",
+                                     "surface that does not cross itself",
                                      surface.triangles.size()));
+    }
+    const std::optional<TetAnswer> answer = status == TetStatus::done ? read_answer(end.output) : std::nullopt;
+    TetMesh mesh = mesh_of(answer.value_or(TetAnswer{}));
+    if (mesh.tets.empty() || !fits(mesh, surface))
+    {
+        throw RunError(fmt::format("surface of {} triangles: {} has made no tetrahedra: {}", surface.triangles.size(),
+                                   words, how_it_ended(end)));
     }
     return mesh;
 }

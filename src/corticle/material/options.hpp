@@ -34,8 +34,7 @@ enum class NormalFrame
 enum class ThicknessPreset
 {
     none,
-    linear_2_5,
-    constant_1_24
+    linear_2_5
 };
 
 /// Tissue parameters (keys under [tissue]).

@@ -12,8 +12,6 @@ namespace
 // The one place of these numbers: the schema and its page are printed from here.
 constexpr std::array presets{
     PresetThickness{ThicknessPreset::linear_2_5, "linear_2.5mm", 2.5, 0.3, "Wang et al. 2019, thesis eq. 14"},
-    PresetThickness{ThicknessPreset::constant_1_24, "constant_1.24mm", 1.24, 0.0,
-                    "a thin cortex, no law with a source known here"},
 };
 
 } // namespace

@@ -75,12 +75,6 @@ std::vector<double> tet_volumes(const TetMesh& mesh)
     return volumes;
 }
 
-double mesh_volume(const TetMesh& mesh)
-{
-    return parallel_sum(std::ssize(mesh.tets),
-                        [&](std::int64_t i) { return signed_volume(mesh.vertices, mesh.tets[i]); });
-}
-
 std::vector<double> node_volumes(const TetMesh& mesh)
 {
     std::vector<double> volumes(mesh.vertices.size(), 0.0);

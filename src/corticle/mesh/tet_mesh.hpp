@@ -25,10 +25,7 @@ double signed_volume(std::span<const Vec3> vertices, const Tet& tet);
 /// Signed volume of every tet [mm³].
 std::vector<double> tet_volumes(const TetMesh& mesh);
 
-/// Sum of the signed volumes [mm³].
-double mesh_volume(const TetMesh& mesh);
-
-/// Lumped volumes: a quarter of every tet to each of its nodes [mm³]; their sum is the mesh volume.
+/// Lumped volumes: a quarter of every tet to each of its nodes [mm³]; their sum is the volume of the mesh.
 std::vector<double> node_volumes(const TetMesh& mesh);
 
 /// Shape of a tet: 12 (3 V)^(2/3) / sum of squared edges (mean ratio, Liu & Joe 1994), 1 for a regular tet, 0 for a

@@ -4,6 +4,8 @@
 #include "corticle/base/parallel.hpp"
 #include "corticle/metrics/vertex_adjacency.hpp"
 
+#include <Eigen/Cholesky>
+
 #include <numbers>
 
 namespace corticle
@@ -15,63 +17,24 @@ namespace
 constexpr int unknowns = 5;              ///< of h(u, v) = a u²/2 + b u v + c v²/2 + d u + e v
 constexpr double least_weight = 0.01;    ///< of a neighbour whose normal is turned away: across a crease
 constexpr double regularization = 1e-10; ///< over the largest diagonal entry: keeps a poor ring solvable
-using Row = std::array<double, unknowns>;
+using Row = Eigen::Vector<double, unknowns>;
 
 struct NormalEquations
 {
-    std::array<Row, unknowns> matrix{};
-    Row right{};
+    Eigen::Matrix<double, unknowns, unknowns> matrix = Eigen::Matrix<double, unknowns, unknowns>::Zero();
+    Row right = Row::Zero();
 
     void add(const Row& terms, double height, double weight)
     {
-        for (int i = 0; i < unknowns; ++i)
-        {
-            for (int j = 0; j <= i; ++j)
-            {
-                matrix[i][j] += weight * terms[i] * terms[j];
-            }
-            right[i] += weight * terms[i] * height;
-        }
+        matrix += weight * terms * terms.transpose();
+        right += weight * height * terms;
     }
 
-    /// Solution by Cholesky factors, in place of the lower triangle.
-    Row solve()
+    Row solution() const
     {
-        double largest = 0.0;
-        for (int i = 0; i < unknowns; ++i)
-        {
-            largest = std::max(largest, matrix[i][i]);
-        }
-        for (int i = 0; i < unknowns; ++i)
-        {
-            matrix[i][i] += regularization * largest;
-            for (int j = 0; j <= i; ++j)
-            {
-                double sum = matrix[i][j];
-                for (int k = 0; k < j; ++k)
-                {
-                    sum -= matrix[i][k] * matrix[j][k];
-                }
-                matrix[i][j] = i == j ? std::sqrt(std::max(sum, regularization * largest)) : sum / matrix[j][j];
-            }
-        }
-        for (int i = 0; i < unknowns; ++i)
-        {
-            for (int k = 0; k < i; ++k)
-            {
-                right[i] -= matrix[i][k] * right[k];
-            }
-            right[i] /= matrix[i][i];
-        }
-        for (int i = unknowns - 1; i >= 0; --i)
-        {
-            for (int k = i + 1; k < unknowns; ++k)
-            {
-                right[i] -= matrix[k][i] * right[k];
-            }
-            right[i] /= matrix[i][i];
-        }
-        return right;
+        auto regular = matrix;
+        regular.diagonal().array() += regularization * matrix.diagonal().maxCoeff();
+        return regular.ldlt().solve(right);
     }
 };
 
@@ -84,7 +47,11 @@ struct MeanAndGaussian
 /// Of the graph of the quadric at the origin, the height counted along the outward normal.
 MeanAndGaussian graph_curvature(const Row& q)
 {
-    const auto [a, b, c, d, e] = q;
+    const double a = q[0];
+    const double b = q[1];
+    const double c = q[2];
+    const double d = q[3];
+    const double e = q[4];
     const double squared_slope = 1.0 + d * d + e * e;
     const double mean =
         ((1.0 + d * d) * c - 2.0 * d * e * b + (1.0 + e * e) * a) / (2.0 * std::pow(squared_slope, 1.5));
@@ -131,9 +98,10 @@ MeanAndGaussian fit(std::span<const Vec3> vertices, std::span<const Vec3> normal
         const Vec3 d = (vertices[j] - vertices[vertex]) / scale;
         const double u = dot(d, e1);
         const double v = dot(d, e2);
-        equations.add({0.5 * u * u, u * v, 0.5 * v * v, u, v}, dot(d, n), std::max(least_weight, dot(n, normals[j])));
+        equations.add(Row{0.5 * u * u, u * v, 0.5 * v * v, u, v}, dot(d, n),
+                      std::max(least_weight, dot(n, normals[j])));
     }
-    const MeanAndGaussian scaled = graph_curvature(equations.solve());
+    const MeanAndGaussian scaled = graph_curvature(equations.solution());
     return {scaled.mean / scale, scaled.gaussian / (scale * scale)};
 }
 

@@ -108,9 +108,4 @@ int dominant_degree(std::span<const double> power)
     return degree;
 }
 
-double wavelength_of_degree(double radius, int degree)
-{
-    return 2.0 * std::numbers::pi * radius / std::sqrt(static_cast<double>(degree) * (degree + 1.0));
-}
-
 } // namespace corticle

@@ -20,7 +20,4 @@ std::vector<double> power_by_degree(std::span<const Vec3> directions, std::span<
 /// Degree with the most power, 0 left out; 0 where there is none.
 int dominant_degree(std::span<const double> power);
 
-/// Wavelength of a degree on a sphere: 2 pi R / sqrt(l (l + 1)) [mm] (Jeans 1923).
-double wavelength_of_degree(double radius, int degree);
-
 } // namespace corticle

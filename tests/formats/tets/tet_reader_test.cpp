@@ -2,10 +2,9 @@
 #include "corticle/formats/tets/tet_reader.hpp"
 
 #include "corticle/base/error.hpp"
-#include "corticle/formats/tets/gmsh_writer.hpp"
-#include "corticle/formats/vtk_files.hpp"
 #include "formats/temporary_folder.hpp"
 #include "formats/tets/tet_samples.hpp"
+#include "formats/tets/tet_writers.hpp"
 #include "geometry/simple_tets.hpp"
 
 #include <gmock/gmock.h>
@@ -61,7 +60,7 @@ TEST(TetReader, WhatIsWrittenComesBackToTheBit)
     const TemporaryFolder folder;
     TetMesh ball = test::tet_ball(6, 1.0 / 3.0);
     ball.vertices[0].x = 1e-300;
-    write_tets_vtu(folder / "a.vtu", ball.vertices, ball.tets, {});
+    write_tets_vtu(folder / "a.vtu", ball);
     write_tets_msh(folder / "a.msh", ball);
     for (const char* name : {"a.vtu", "a.msh"})
     {
@@ -76,7 +75,7 @@ TEST(TetReader, LargeFilesOfEqualCellsCompressAndComeBack)
 {
     const TemporaryFolder folder;
     const TetMesh box = test::tet_box(20, {0, 0, 0}, {1, 1, 1});
-    write_tets_vtu(folder / "a.vtu", box.vertices, box.tets, {});
+    write_tets_vtu(folder / "a.vtu", box);
     EXPECT_EQ(read_tets(folder / "a.vtu").tets, box.tets);
 }
 

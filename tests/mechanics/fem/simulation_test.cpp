@@ -3,13 +3,14 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
-#include "corticle/formats/tets/gmsh_writer.hpp"
 #include "corticle/geometry/shapes.hpp"
 #include "corticle/geometry/tetrahedralize.hpp"
 #include "corticle/record/body_file.hpp"
 #include "corticle/record/checkpointing.hpp"
 #include "formats/temporary_folder.hpp"
+#include "formats/tets/tet_writers.hpp"
 #include "mechanics/fem/small_tets.hpp"
+#include "mesh/mesh_volume.hpp"
 #include "model/same_bits.hpp"
 
 #include <gtest/gtest.h>

@@ -6,6 +6,7 @@
 #include "geometry/simple_tets.hpp"
 #include "material/own_tissue.hpp"
 #include "mechanics/tlsph/small_body.hpp"
+#include "mesh/mesh_volume.hpp"
 
 namespace corticle::test
 {

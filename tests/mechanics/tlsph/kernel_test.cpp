@@ -8,6 +8,18 @@ namespace corticle
 namespace
 {
 
+/// Wendland's C2 kernel.
+double wendland_c2(double distance, double support)
+{
+    const double q = distance / support;
+    if (q >= 1.0)
+    {
+        return 0.0;
+    }
+    const double p = 1.0 - q;
+    return 21.0 / (2.0 * std::numbers::pi * support * support * support) * p * p * p * p * (1.0 + 4.0 * q);
+}
+
 /// Integral over the ball of radius `support` of a radial function, by the midpoint rule.
 template <class Function>
 double ball_integral(double support, Function&& f)

@@ -23,7 +23,7 @@ ProcessEnd wait_for(CommandProcess& process)
         end = process.poll();
         usleep(2000);
     }
-    return end.value_or(ProcessEnd{-1, -1, "it did not end"});
+    return end.value_or(ProcessEnd{-1, -1, "it did not end", ""});
 }
 
 } // namespace

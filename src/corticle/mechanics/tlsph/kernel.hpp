@@ -6,20 +6,9 @@
 namespace corticle
 {
 
-/// Wendland C2 kernel in three dimensions with support radius s (Wendland 1995):
-/// W(r) = 21 / (2 pi s³) (1 - r/s)^4 (1 + 4 r/s) for r < s, integral 1.
-inline double wendland_c2(double distance, double support)
-{
-    const double q = distance / support;
-    if (q >= 1.0)
-    {
-        return 0.0;
-    }
-    const double p = 1.0 - q;
-    return 21.0 / (2.0 * std::numbers::pi * support * support * support) * p * p * p * p * (1.0 + 4.0 * q);
-}
-
-/// omega(r) = -W'(r) / r >= 0 [mm^-5]: 210 / (pi s^5) (1 - r/s)³. Its second moment, the integral of omega X X^T, is I.
+/// omega(r) = -W'(r) / r >= 0 [mm^-5]: 210 / (pi s^5) (1 - r/s)³, with the Wendland C2 kernel in three dimensions
+/// W(r) = 21 / (2 pi s³) (1 - r/s)^4 (1 + 4 r/s) of support radius s (Wendland 1995), whose integral is 1. Its second
+/// moment, the integral of omega X X^T, is I.
 inline double pair_weight(double distance, double support)
 {
     const double q = distance / support;

@@ -5,6 +5,7 @@
 #include "corticle/base/parallel.hpp"
 #include "corticle/mechanics/tlsph/kernel.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
 #include <limits>
@@ -14,23 +15,6 @@ namespace corticle
 
 namespace
 {
-
-/// Eigenvalues of a symmetric matrix by the trigonometric formula (Smith 1961), largest first.
-std::array<double, 3> symmetric_eigenvalues(const Mat3& a)
-{
-    const double mean = trace(a) / 3.0;
-    const Mat3 d = a - mean * Mat3::identity();
-    const double p = std::sqrt(contract(d, d) / 6.0);
-    if (p == 0.0)
-    {
-        return {mean, mean, mean};
-    }
-    const double r = std::clamp(determinant((1.0 / p) * d) / 2.0, -1.0, 1.0);
-    const double angle = std::acos(r) / 3.0;
-    const double high = mean + 2.0 * p * std::cos(angle);
-    const double low = mean + 2.0 * p * std::cos(angle + 2.0 * std::numbers::pi / 3.0);
-    return {high, 3.0 * mean - high - low, low};
-}
 
 void require_well_conditioned(const Particles& particles, std::span<const double> condition)
 {
@@ -57,8 +41,17 @@ void require_well_conditioned(const Particles& particles, std::span<const double
 
 double condition_number(const Mat3& symmetric)
 {
-    const auto eigenvalues = symmetric_eigenvalues(symmetric);
-    return eigenvalues[2] > 0.0 ? eigenvalues[0] / eigenvalues[2] : std::numeric_limits<double>::infinity();
+    Eigen::Matrix3d matrix;
+    for (int i = 0; i < 3; ++i)
+    {
+        for (int j = 0; j < 3; ++j)
+        {
+            matrix(i, j) = symmetric(i, j);
+        }
+    }
+    const Eigen::Vector3d values =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix, Eigen::EigenvaluesOnly).eigenvalues(); // ascending
+    return values[0] > 0.0 ? values[2] / values[0] : std::numeric_limits<double>::infinity();
 }
 
 Particles make_particles(const Cloud& cloud, const Neighbors& neighbors, const TlsphOptions& options)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "corticle/base/child_process.hpp"
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,14 +11,6 @@
 
 namespace corticle
 {
-
-/// How a process ended.
-struct ProcessEnd
-{
-    int status = 0;     ///< exit status; meaningless where a signal ended it
-    int signal = 0;     ///< 0: it ended by itself
-    std::string output; ///< the end of what it wrote to standard output and error
-};
 
 /// A command that runs beside this process, in a process group of its own, so that Ctrl-C reaches only this process.
 /// It gets SIGTERM when this process ends in whatever way. To be started from the main thread, while WaitableChildren
@@ -32,7 +26,7 @@ class CommandProcess
     /// Ends it at once if it still runs.
     ~CommandProcess();
 
-    /// How it ended; nothing while it runs.
+    /// How it ended, `output` the end of both its outputs; nothing while it runs.
     std::optional<ProcessEnd> poll();
     /// Asks it to end (SIGTERM).
     void terminate() const;

@@ -170,7 +170,10 @@ void Crew::start(std::size_t job, int threads)
     }
     catch (const RunError& error)
     {
-        finish(job, {"failed", error.what(), {}, {}, {}});
+        RunState state;
+        state.status = "failed";
+        state.reason = error.what();
+        finish(job, state);
     }
 }
 

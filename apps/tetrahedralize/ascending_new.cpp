@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/base/ascending_new.hpp"
+#include "ascending_new.hpp"
 
 #include <sys/mman.h>
 
