@@ -83,27 +83,31 @@ struct Ball
     explicit Ball(std::int64_t count) : Ball(jittered_ball(count)) {}
 
     Particles particles;
-    Tissue tissue;
+    TissueOptions options;
+    TissueFields fields;
+    TissueState state;
+
+    Tissue tissue() const { return {options, fields, state}; }
     double pairs = 0.0;
 
   private:
     explicit Ball(const Cloud& cloud)
     {
-        TlsphOptions options;
-        options.support = support_for(usual_neighbors, cloud);
-        const Neighbors neighbors = find_pairs_within(cloud.positions, options.support * cloud.spacing);
+        TlsphOptions tlsph;
+        tlsph.support = support_for(usual_neighbors, cloud);
+        const Neighbors neighbors = find_pairs_within(cloud.positions, tlsph.support * cloud.spacing);
         pairs = static_cast<double>(neighbors.index.size());
-        particles = make_particles(cloud, neighbors, options);
+        particles = make_particles(cloud, neighbors, tlsph);
         const double radius = std::cbrt(3.0 * static_cast<double>(cloud.positions.size()) / (4.0 * std::numbers::pi));
-        tissue.options.thickness_mm = 3.0;
-        tissue.volume = cloud.volumes;
-        tissue.regional_rate.assign(cloud.positions.size(), 1.0);
+        options.thickness_mm = 3.0;
+        fields.volume = cloud.volumes;
+        fields.regional_rate.assign(cloud.positions.size(), 1.0);
         for (const Vec3& X : cloud.positions)
         {
-            tissue.depth.push_back(std::max(0.0, radius - norm(X)));
-            tissue.normal.push_back(normalized(X));
+            fields.depth.push_back(std::max(0.0, radius - norm(X)));
+            fields.normal.push_back(normalized(X));
         }
-        tissue.set_layer(0.0);
+        set_layer(fields, options, {}, 0.0, state);
     }
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/config/options.hpp"
-#include "corticle/model/discretization.hpp"
 #include "corticle/model/simulation.hpp"
-#include "corticle/prepare/body.hpp"
+#include "corticle/model/terms.hpp"
+#include "corticle/prepare/prepare.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -11,13 +11,13 @@ namespace corticle
 namespace
 {
 
-Body sphere_of_tets(std::int64_t tets, Options& options)
+Model sphere_of_tets(std::int64_t tets, Options& options)
 {
     options.method = Method::fem;
     options.elements = tets;
     options.tissue.layer = Layer::binary;
     options.tissue.lambda = 0.75;
-    return prepare_body(options).body;
+    return prepare_body(options).model;
 }
 
 void by_tets(benchmark::internal::Benchmark* made)
@@ -29,10 +29,10 @@ void by_tets(benchmark::internal::Benchmark* made)
     made->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
 }
 
-void report(benchmark::State& state, const Body& body)
+void report(benchmark::State& state, const Model& model)
 {
     const auto each = static_cast<double>(state.iterations());
-    const auto tets = static_cast<double>(body.fem->elements.tets.size());
+    const auto tets = static_cast<double>(model.fem->elements.tets.size());
     state.counters["ns_per_tet"] =
         benchmark::Counter(each * tets * 1e-9, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
@@ -41,14 +41,16 @@ void report(benchmark::State& state, const Body& body)
 void tet_forces(benchmark::State& state)
 {
     Options options;
-    const Body body = sphere_of_tets(state.range(0), options);
-    const auto solver = make_discretization(body, options);
-    std::vector<Vec3> forces(body.cloud.positions.size());
+    const Model model = sphere_of_tets(state.range(0), options);
+    State start;
+    start.elements = start_tissue(model.fem->tissue, options.tissue, {}, 0.0);
+    const auto solver = make_discretization(model, options, start);
+    std::vector<Vec3> forces(model.cloud.positions.size());
     for (auto _ : state)
     {
-        benchmark::DoNotOptimize(solver->evaluate(body.cloud.positions, 0.1, forces));
+        benchmark::DoNotOptimize(solver->evaluate(model.cloud.positions, 0.1, forces));
     }
-    report(state, body);
+    report(state, model);
 }
 BENCHMARK(tet_forces)->Apply(by_tets);
 
@@ -56,13 +58,13 @@ BENCHMARK(tet_forces)->Apply(by_tets);
 void tet_step(benchmark::State& state)
 {
     Options options;
-    Body body = sphere_of_tets(state.range(0), options);
-    Simulation simulation(body, options);
+    const auto model = std::make_shared<const Model>(sphere_of_tets(state.range(0), options));
+    Simulation simulation(model, options);
     for (auto _ : state)
     {
         simulation.step(1.0);
     }
-    report(state, body);
+    report(state, *model);
 }
 BENCHMARK(tet_step)->Apply(by_tets);
 

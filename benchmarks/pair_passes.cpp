@@ -22,7 +22,7 @@ class Passes
 {
   public:
     explicit Passes(const Ball& ball)
-        : solver_(ball.particles, ball.tissue), x_(ball.particles.X), forces_(ball.particles.X.size())
+        : solver_(ball.particles, ball.tissue()), x_(ball.particles.X), forces_(ball.particles.X.size())
     {
         for (Vec3& x : x_)
         {

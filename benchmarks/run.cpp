@@ -3,7 +3,7 @@
 #include "corticle/config/case_file.hpp"
 #include "corticle/config/options.hpp"
 #include "corticle/model/simulation.hpp"
-#include "corticle/prepare/body.hpp"
+#include "corticle/prepare/prepare.hpp"
 #include "corticle/record/checkpointing.hpp"
 #include "corticle/record/frames.hpp"
 
@@ -26,16 +26,16 @@ struct StandardSphere
         options.tissue.lambda = 0.75;
         options.geometry.particles = particles;
         const auto start = std::chrono::steady_clock::now();
-        body = prepare_body(options).body;
+        model = std::make_shared<const Model>(prepare_body(options).model);
         preparation_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        simulation = std::make_unique<Simulation>(body, options);
+        simulation = std::make_unique<Simulation>(model, options);
     }
     StandardSphere(const StandardSphere&) = delete;
 
-    double particles() const { return static_cast<double>(body.cloud.positions.size()); }
+    double particles() const { return static_cast<double>(model->cloud.positions.size()); }
 
     Options options;
-    Body body;
+    std::shared_ptr<const Model> model;
     double preparation_seconds = 0.0;
     std::unique_ptr<Simulation> simulation;
 };
@@ -103,27 +103,27 @@ void whole_step(benchmark::State& state)
 void surface_measures(benchmark::State& state)
 {
     const Simulation& simulation = *made_for<StandardSphere>(state.range(0)).simulation;
-    const std::vector<Mat3> F = simulation.deformation_gradients();
+    const OutputView view = output_view(simulation);
     for (auto _ : state)
     {
-        benchmark::DoNotOptimize(surface_arrays(simulation, F, physical_scale(simulation)));
+        benchmark::DoNotOptimize(surface_arrays(view));
     }
-    count_particles(state, static_cast<double>(F.size()));
+    count_particles(state, static_cast<double>(view.F.size()));
 }
 
 /// The files of an output time.
 void frame_files(benchmark::State& state)
 {
     const Simulation& simulation = *made_for<StandardSphere>(state.range(0)).simulation;
-    const std::vector<Mat3> F = simulation.deformation_gradients();
-    const SurfaceArrays arrays = surface_arrays(simulation, F, physical_scale(simulation));
+    const OutputView view = output_view(simulation);
+    const SurfaceArrays arrays = surface_arrays(view);
     const ScratchFolder folder;
     for (auto _ : state)
     {
-        const Frame frame = make_frame(simulation, F, physical_scale(simulation), "0000");
-        write_frame(folder.path(), simulation, frame, arrays);
+        const Frame frame = make_frame(view, arrays, "0000");
+        write_frame(folder.path(), view, frame, arrays);
     }
-    count_particles(state, static_cast<double>(F.size()));
+    count_particles(state, static_cast<double>(view.F.size()));
     report_files(state, folder);
 }
 

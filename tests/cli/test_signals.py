@@ -130,7 +130,7 @@ def memory(bench):
     for verb in ("run", "prepare"):
         limit = address_space(bench, verb, "case.toml", "--out", f"small_{verb}", *small) + (4 << 20)
         with subprocess.Popen([bench.command, verb, "case.toml", "--out", verb, "--threads", "1", "--set",
-                               "geometry.particles=25000"], cwd=bench.folder, stdin=subprocess.DEVNULL, text=True,
+                               "geometry.particles=250000"], cwd=bench.folder, stdin=subprocess.DEVNULL, text=True,
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                               preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit))) as process:
             _, errors = process.communicate(timeout=300)

@@ -4,6 +4,8 @@
 #include "corticle/material/tissue.hpp"
 #include "mechanics/tlsph/small_body.hpp"
 
+#include "material/own_tissue.hpp"
+
 #include <gtest/gtest.h>
 
 namespace corticle
@@ -15,9 +17,9 @@ const Mat3 sheared{{{1.3, 0.1, -0.2}, {0.4, 0.8, 0.1}, {-0.1, 0.3, 1.1}}};
 const Vec3 oblique = Vec3{1, 2, 2} / 3.0;
 
 /// A tissue of one particle in pure cortex.
-Tissue cortex()
+test::OwnTissue cortex()
 {
-    Tissue tissue;
+    test::OwnTissue tissue;
     tissue.depth = {0.0};
     tissue.volume = {1.0};
     tissue.normal = {oblique};
@@ -112,7 +114,7 @@ TEST(CurrentNormal, DoesNotSeeRotationsNorStretchesAlongTheNormal)
 
 TEST(Growth, HasTangentialRadialAndWhiteParts)
 {
-    Tissue tissue = cortex();
+    test::OwnTissue tissue = cortex();
     EXPECT_TRUE(tissue.grows_plainly());
     EXPECT_DOUBLE_EQ(tissue.point(0, 0.5).growth, 1.0 + 1.5 * 0.8 * 0.5);
     EXPECT_EQ(tissue.point(0, 0.5).radial_growth, 1.0);
@@ -127,7 +129,7 @@ TEST(Growth, HasTangentialRadialAndWhiteParts)
 
 TEST(Growth, RegionsHaveTheirOwnOnsetAndRate)
 {
-    Tissue tissue = cortex();
+    test::OwnTissue tissue = cortex();
     tissue.growth_onset = {0.3};
     tissue.growth_rate = {2.0};
     EXPECT_FALSE(tissue.grows_plainly());
@@ -138,7 +140,7 @@ TEST(Growth, RegionsHaveTheirOwnOnsetAndRate)
 
 TEST(Growth, RatesAreTheDerivativesOfTheRatios)
 {
-    Tissue tissue = cortex();
+    test::OwnTissue tissue = cortex();
     tissue.options.alpha_r = 0.5;
     tissue.options.growth_law = GrowthLaw::gompertz;
     tissue.options.growth_onset = 0.1;
@@ -157,7 +159,7 @@ TEST(Growth, RatesAreTheDerivativesOfTheRatios)
 
 TEST(Growth, ABodyImagedLateStartsAtRestAndGrowsByWhatIsLeft)
 {
-    Tissue tissue = cortex();
+    test::OwnTissue tissue = cortex();
     tissue.start_growth(0.0);
     EXPECT_TRUE(tissue.past.empty());
     tissue.start_growth(0.3);

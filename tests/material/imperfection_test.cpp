@@ -4,6 +4,8 @@
 #include "corticle/model/simulation.hpp"
 #include "mechanics/tlsph/small_body.hpp"
 
+#include "material/own_tissue.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -60,7 +62,7 @@ TEST(RandomWaves, FollowTheirSeed)
 
 TEST(Imperfection, AColumnOfCortexGrowsAsOne)
 {
-    Tissue tissue;
+    test::OwnTissue tissue;
     tissue.depth = {0.0, 1.5};
     tissue.normal = {{0, 0, 1}, {0, 0, 1}};
     tissue.regional_rate = {1.0, 0.5};
@@ -73,15 +75,15 @@ TEST(Imperfection, AColumnOfCortexGrowsAsOne)
 
 TEST(Imperfection, BuiltInShapesHaveOneAndOthersDoNot)
 {
-    Options options;
-    EXPECT_EQ(imperfection_amplitude(options), 0.05);
-    options.geometry.shape = Shape::file;
-    EXPECT_EQ(imperfection_amplitude(options), 0.0);
-    options.imperfection.amplitude = 0.02;
-    EXPECT_EQ(imperfection_amplitude(options), 0.02);
-    options = {};
-    options.formulation = Formulation::thesis;
-    EXPECT_EQ(imperfection_amplitude(options), 0.0);
+    Options from_file;
+    from_file.geometry.shape = Shape::file;
+    EXPECT_EQ(imperfection_amplitude(Options()), 0.05);
+    EXPECT_EQ(imperfection_amplitude(from_file), 0.0);
+    from_file.imperfection.amplitude = 0.02;
+    EXPECT_EQ(imperfection_amplitude(from_file), 0.02);
+    Options thesis;
+    thesis.formulation = Formulation::thesis;
+    EXPECT_EQ(imperfection_amplitude(thesis), 0.0);
 }
 
 /// A run that goes on to a later end must find the growth it began with.
@@ -91,9 +93,9 @@ TEST(Imperfection, KnowsNothingOfTheEndOfTheRun)
     options.imperfection.amplitude = 0.05;
     options.tissue.thickness_rate_mm = -0.5;
     options.time.end = 0.4;
-    const Body shorter = prepare_body(options).body;
+    const Model shorter = prepare_body(options).model;
     options.time.end = 1.0;
-    const Body longer = prepare_body(options).body;
+    const Model longer = prepare_body(options).model;
     ASSERT_FALSE(shorter.tissue.regional_rate.empty());
     EXPECT_EQ(shorter.tissue.regional_rate, longer.tissue.regional_rate);
 }
@@ -103,13 +105,13 @@ TEST(Imperfection, ParticlesAndTetsGetTheSameFieldAndRestWithoutStress)
     Options options = test::sphere_options(2500);
     options.imperfection.amplitude.reset();
     Preparation made = prepare_body(options);
-    Body& body = made.body;
+    Model& body = made.model;
     const std::vector<double> once = body.tissue.regional_rate;
     connect_body(options, made);
     EXPECT_EQ(body.tissue.regional_rate, once); // not applied twice
 
     const RandomWaves waves(1, 4.0 * options.tissue.thickness_mm, 10.0 * options.tissue.thickness_mm);
-    const auto expect_field = [&](const Body& of)
+    const auto expect_field = [&](const Model& of)
     {
         double squares = 0.0;
         for (const std::int32_t i : of.cloud.surface_particles)
@@ -124,15 +126,15 @@ TEST(Imperfection, ParticlesAndTetsGetTheSameFieldAndRestWithoutStress)
     };
     expect_field(body);
     constexpr double round_off = 1e-9; // of a body of 8,000 mm³ whose folds hold thousands
-    EXPECT_LT(std::abs(Simulation(body, options).internal().elastic_energy), round_off);
+    EXPECT_LT(std::abs(Simulation(test::shared(body), options).internal().elastic_energy), round_off);
 
     options.method = Method::fem;
-    Body tets = prepare_body(options).body;
+    Model tets = prepare_body(options).model;
     expect_field(tets);
     const auto [least, most] = std::ranges::minmax(tets.fem->tissue.regional_rate);
     EXPECT_LT(least, 0.9);
     EXPECT_GT(most, 1.1);
-    EXPECT_LT(std::abs(Simulation(tets, options).internal().elastic_energy), round_off);
+    EXPECT_LT(std::abs(Simulation(test::shared(tets), options).internal().elastic_energy), round_off);
 }
 
 } // namespace

@@ -5,6 +5,8 @@
 #include "corticle/material/layer.hpp"
 #include "corticle/material/tissue.hpp"
 
+#include "material/own_tissue.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -79,7 +81,7 @@ TEST(Size, ItsRateIsTheSlope)
 
 TEST(Size, AGrowingReferenceStateThinsTheCortex)
 {
-    Tissue tissue;
+    test::OwnTissue tissue;
     tissue.options.thickness_mm = 2.5;
     tissue.options.thickness_rate_mm = 0.3;
     tissue.size = {GestationalClock::wang, LengthLaw::quadratic, 23.0};
@@ -97,7 +99,7 @@ TEST(Size, AGrowingReferenceStateThinsTheCortex)
 
 TEST(Size, LocalThicknessReplacesTheOne)
 {
-    Tissue tissue;
+    test::OwnTissue tissue;
     tissue.options.thickness_mm = 9.0;
     tissue.depth = {1.0, 1.0};
     tissue.volume.assign(2, 1.0);

@@ -3,6 +3,8 @@
 
 #include "corticle/material/layer.hpp"
 
+#include "material/own_tissue.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -54,7 +56,7 @@ TEST(Layer, BinaryStepOfAnEllipsoid)
 
 TEST(Tissue, ThicknessFollowsItsRate)
 {
-    Tissue tissue;
+    test::OwnTissue tissue;
     tissue.options.layer = Layer::smooth;
     tissue.options.thickness_mm = 1.5;
     tissue.options.thickness_rate_mm = 0.8;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/base/simd.hpp"
 #include "corticle/mesh/distance.hpp"
 
 #include <gtest/gtest.h>

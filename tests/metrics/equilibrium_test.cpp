@@ -60,17 +60,17 @@ TEST(Equilibrium, EnergiesOfRoundOffHaveNoShares)
 
 TEST(Equilibrium, ABodyAtRestHasNoResidual)
 {
-    Body body = test::small_sphere();
+    const Model body = *test::small_model();
     const Options options = test::sphere_options(2500);
-    EXPECT_EQ(residual_of(Simulation(body, options)), 0.0);
+    EXPECT_EQ(residual_of(Simulation(test::shared(body), options)), 0.0);
 }
 
 /// A body that keeps its shape while its cortex grows is far from equilibrium; one that follows its growth is nearer.
 TEST(Equilibrium, TheResidualTellsABodyThatLags)
 {
-    Body body = test::small_sphere();
+    const Model body = *test::small_model();
     const Options options = test::sphere_options(2500);
-    Simulation held(body, options);
+    Simulation held(test::shared(body), options);
     State state;
     state.motion.x = body.cloud.positions;
     state.motion.v.resize(state.motion.x.size());
@@ -78,7 +78,7 @@ TEST(Equilibrium, TheResidualTellsABodyThatLags)
     held.restore(state);
     EXPECT_GT(residual_of(held), 1.0);
 
-    Simulation free(body, options);
+    Simulation free(test::shared(body), options);
     while (free.state().t < 0.2)
     {
         free.step(0.2);

@@ -14,7 +14,7 @@ namespace
 {
 
 /// The sphere with a bulge of degree l on every particle's radius.
-State bulged(const Body& body, int l, double amplitude)
+State bulged(const Model& body, int l, double amplitude)
 {
     State state;
     for (const Vec3& X : body.cloud.positions)
@@ -33,21 +33,22 @@ struct Measured
 
 Measured measured(const Simulation& simulation)
 {
-    const std::vector<Mat3> F = simulation.deformation_gradients();
-    Measured m{surface_arrays(simulation, F, physical_scale(simulation)), {}};
-    m.row = measure(simulation, F, m.arrays, physical_scale(simulation));
+    const OutputView view = output_view(simulation);
+    Measured m{surface_arrays(view), {}};
+    m.row = measure(view, m.arrays);
     return m;
 }
 
 TEST(SurfaceArrays, MillimetresAtTheirWeek)
 {
     const Options options = test::sphere_options(2500);
-    Body body = test::small_sphere();
-    const Simulation simulation(body, options);
-    const std::vector<Mat3> F = simulation.deformation_gradients();
+    const Model body = *test::small_model();
+    const Simulation simulation(test::shared(body), options);
     const Measures run = measured(simulation).row;
     const PhysicalScale twice{30.0, 2.0};
-    const Measures m = measure(simulation, F, surface_arrays(simulation, F, twice), twice);
+    const OutputView view = output_view(simulation, 0, twice);
+    const SurfaceArrays arrays = surface_arrays(view);
+    const Measures m = measure(view, arrays);
     constexpr double round_off = 1e-9; // relative; powers of two, but sums of sampled slices and paths
     const auto expect = [&](double got, double expected)
     { EXPECT_NEAR(got, expected, round_off * std::abs(expected)); };
@@ -67,7 +68,7 @@ TEST(SurfaceArrays, MillimetresAtTheirWeek)
     expect(m.asymmetry_area + 1.0, run.asymmetry_area + 1.0);
     EXPECT_EQ(m.J_mean, run.J_mean);
 
-    const Frame frame = make_frame(simulation, F, twice, "0000");
+    const Frame frame = make_frame(view, arrays, "0000");
     EXPECT_EQ(frame.week, 30.0);
     EXPECT_EQ(frame.particles[7], 2.0 * simulation.state().motion.x[7]);
     EXPECT_EQ(frame.origins[7], 2.0 * body.cloud.positions[7]);
@@ -78,8 +79,8 @@ TEST(SurfaceArrays, MillimetresAtTheirWeek)
 TEST(SurfaceArrays, OfAnUndeformedSphere)
 {
     const Options options = test::sphere_options(2500);
-    Body body = test::small_sphere();
-    const Simulation simulation(body, options);
+    const Model body = *test::small_model();
+    const Simulation simulation(test::shared(body), options);
     const Measured m = measured(simulation);
     for (const double t : m.arrays.thickness)
     {
@@ -99,8 +100,8 @@ TEST(SurfaceArrays, OfAnUndeformedSphere)
 TEST(SurfaceArrays, FindAnImposedDegree)
 {
     const Options options = test::sphere_options(2500);
-    Body body = test::small_sphere();
-    Simulation simulation(body, options);
+    const Model body = *test::small_model();
+    Simulation simulation(test::shared(body), options);
     simulation.restore(bulged(body, 8, 0.1));
     const Measured m = measured(simulation);
     EXPECT_EQ(m.row.fold_degree, 8.0);
@@ -112,8 +113,8 @@ TEST(SurfaceArrays, FindAnImposedDegree)
 TEST(SurfaceArrays, DoNotDependOnTheNumberOfThreads)
 {
     const Options options = test::sphere_options(2500);
-    Body body = test::small_sphere();
-    Simulation simulation(body, options);
+    const Model body = *test::small_model();
+    Simulation simulation(test::shared(body), options);
     simulation.restore(bulged(body, 6, 0.05));
     const int threads = thread_count();
     set_thread_count(1);

@@ -25,8 +25,8 @@ Options options_from_23_weeks()
 /// The scale of a sphere stretched by `stretch` at 30 weeks.
 PhysicalScale scale_at_30_weeks(const Options& options, double stretch = 1.0)
 {
-    Body body = test::small_sphere();
-    Simulation simulation(body, options);
+    const Model body = *test::small_model();
+    Simulation simulation(test::shared(body), options);
     State state;
     state.motion.x = test::affine(body.cloud.positions, stretch * Mat3::identity());
     state.motion.v.resize(state.motion.x.size());
@@ -51,14 +51,14 @@ TEST(PhysicalScale, IsTheRatioOfLengthsAtTheTwoWeeks)
 
 TEST(PhysicalScale, IsOneAtTheStartAndWithoutAClock)
 {
-    Body body = test::small_sphere();
+    const Model body = *test::small_model();
     const Options with = options_from_23_weeks();
-    const Simulation simulation(body, with);
+    const Simulation simulation(test::shared(body), with);
     EXPECT_EQ(simulation.state().t, with.time.start);
     EXPECT_EQ(physical_scale(simulation).week, 23.0);
     EXPECT_EQ(physical_scale(simulation).length, 1.0);
     const Options without = test::sphere_options(2500);
-    const Simulation plain(body, without);
+    const Simulation plain(test::shared(body), without);
     EXPECT_TRUE(std::isnan(physical_scale(plain).week));
     EXPECT_EQ(physical_scale(plain).length, 1.0);
 }
@@ -69,10 +69,10 @@ TEST(LateStart, TheBodyAsImagedIsStressFreeAndThenGrows)
     options.geometry.particles = 2500;
     options.tissue.thickness_mm = 2.5;
     options.size.thin_cortex = true;
-    Body body = prepare_body(options).body;
-    EXPECT_FALSE(body.tissue.past.empty());
-    EXPECT_FALSE(body.tissue.theta_is_fixed); // it thins
-    Simulation simulation(body, options);
+    Model body = prepare_body(options).model;
+    EXPECT_TRUE(layer_moves(body.tissue, options.tissue, cortex_size(options))); // it thins
+    Simulation simulation(test::shared(body), options);
+    EXPECT_FALSE(simulation.state().nodes.past.empty());
     EXPECT_LT(std::abs(simulation.internal().elastic_energy), 1e-9);
     for (int k = 0; k < 20; ++k)
     {

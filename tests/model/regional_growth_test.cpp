@@ -16,10 +16,10 @@ namespace
 constexpr double radius = 12.496;
 
 /// Sphere of the thesis at 5,000 particles with a regional rate m(X), prepared once a rate.
-Body sphere_with(const std::function<double(const Vec3&)>& regional_rate)
+Model sphere_with(const std::function<double(const Vec3&)>& regional_rate)
 {
     Options options = test::sphere_options(5000);
-    Body body = prepare_body(options).body;
+    Model body = prepare_body(options).model;
     for (std::size_t i = 0; i < body.cloud.positions.size(); ++i)
     {
         body.tissue.regional_rate[i] = regional_rate(body.cloud.positions[i]);
@@ -32,11 +32,11 @@ Body sphere_with(const std::function<double(const Vec3&)>& regional_rate)
 double roughness(const Simulation& simulation, const std::function<bool(const Vec3&)>& in_region)
 {
     const std::vector<Vec3> x = simulation.surface_positions();
-    const std::vector<Vec3>& X = simulation.body().surface.vertices;
+    const std::vector<Vec3>& X = simulation.model().surface.vertices;
     std::map<std::pair<std::int32_t, std::int32_t>, Vec3> normals;
     double sum = 0.0;
     double count = 0.0;
-    for (const Triangle& triangle : simulation.body().cloud.surface_triangles)
+    for (const Triangle& triangle : simulation.model().cloud.surface_triangles)
     {
         const auto at = [&](const std::vector<Vec3>& points, std::size_t k)
         { return points[static_cast<std::size_t>(triangle[k])]; };
@@ -70,8 +70,8 @@ void grow(Simulation& simulation, double t)
 TEST(RegionalGrowth, OnlyTheHalfThatGrowsFolds)
 {
     const Options options = test::sphere_options(5000);
-    Body body = sphere_with([](const Vec3& X) { return X.x > 0.0 ? 1.0 : 0.0; });
-    Simulation simulation(body, options);
+    Model body = sphere_with([](const Vec3& X) { return X.x > 0.0 ? 1.0 : 0.0; });
+    Simulation simulation(test::shared(body), options);
     // A spacing and more away from the border, which bends between the two.
     const auto growing = [](const Vec3& X) { return X.x > 3.0; };
     const auto still = [](const Vec3& X) { return X.x < -3.0; };
@@ -89,8 +89,8 @@ TEST(RegionalGrowth, ADoubledRateFoldsFirst)
     const Options options = test::sphere_options(5000);
     const auto fast = [](const Vec3& X) { return X.z > 0.7 * radius; };
     const auto opposite = [](const Vec3& X) { return X.z < -0.7 * radius; };
-    Body body = sphere_with([&](const Vec3& X) { return X.z > 0.5 * norm(X) ? 2.0 : 1.0; });
-    Simulation simulation(body, options);
+    Model body = sphere_with([&](const Vec3& X) { return X.z > 0.5 * norm(X) ? 2.0 : 1.0; });
+    Simulation simulation(test::shared(body), options);
     const double smooth = roughness(simulation, fast);
     const double smooth_opposite = roughness(simulation, opposite);
     double onset_fast = 1.0;

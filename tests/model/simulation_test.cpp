@@ -3,6 +3,7 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
+#include "corticle/base/version.hpp"
 #include "corticle/record/checkpointing.hpp"
 #include "formats/temporary_folder.hpp"
 #include "mechanics/tlsph/small_body.hpp"
@@ -18,7 +19,7 @@ namespace
 
 /// Positions a little rough, so that no symmetry hides anything; folds are said to be there, so that the loading is
 /// free.
-State rough_start(const Body& body, double amplitude)
+State rough_start(const Model& body, double amplitude)
 {
     State state;
     state.motion.x = test::perturbed(body.cloud.positions, amplitude * body.cloud.spacing);
@@ -32,18 +33,19 @@ using test::expect_same_bits;
 using test::take_steps;
 using testing::ContainsRegex;
 using testing::HasSubstr;
+using testing::Not;
 
 TEST(Simulation, OneAndTwoThreadsGiveTheSameBits)
 {
     const Options options = test::sphere_options(2500);
-    Body body = test::small_sphere();
+    const Model body = *test::small_model();
     const int threads = thread_count();
     set_thread_count(1);
-    Simulation one(body, options);
+    Simulation one(test::shared(body), options);
     one.restore(rough_start(body, 0.05));
     take_steps(one, 50);
     set_thread_count(2);
-    Simulation two(body, options);
+    Simulation two(test::shared(body), options);
     two.restore(rough_start(body, 0.05));
     take_steps(two, 50);
     set_thread_count(threads);
@@ -56,10 +58,8 @@ TEST(Simulation, GoesOnFromACheckpointToTheSameBits)
     Options options = test::sphere_options(2500);
     options.tissue.thickness_rate_mm = 0.4; // theta follows t
     options.contact.distance = 0.6;         // and contact is at work
-    Body body = test::small_sphere();
-    body.tissue.options = options.tissue;
-    body.tissue.theta_is_fixed = false;
-    Simulation whole(body, options);
+    const Model& body = *test::small_model();
+    Simulation whole(test::shared(body), options);
     whole.restore(rough_start(body, 0.2));
     take_steps(whole, 25);
     EXPECT_GT(whole.contact().active, 0);
@@ -72,10 +72,7 @@ TEST(Simulation, GoesOnFromACheckpointToTheSameBits)
     const Restored restored = from_checkpoint(checkpoint, body.cloud.positions.size(), "checkpoint.h5");
     ASSERT_EQ(restored.rows.size(), 2u);
     EXPECT_EQ(restored.rows[1].area_mm2, 17.25);
-    Body other_body = test::small_sphere();
-    other_body.tissue.options = options.tissue;
-    other_body.tissue.theta_is_fixed = false;
-    Simulation resumed(other_body, options);
+    Simulation resumed(test::small_model(), options);
     resumed.restore(restored.state);
     take_steps(resumed, 25);
     expect_same_bits(whole, resumed);
@@ -92,14 +89,38 @@ TEST(Simulation, ACheckpointOfAnotherBodyIsRefused)
     EXPECT_THROW(from_checkpoint({}, 10, "checkpoint.h5"), InputError);
 }
 
+TEST(Simulation, ACheckpointOfAnotherLayoutIsRefusedWithTheVersionThatWroteIt)
+{
+    State state;
+    state.motion.x.resize(10);
+    state.motion.v.resize(10);
+    const std::vector<Measures> rows(2);
+    const Checkpoint whole = to_checkpoint(state, rows, "case", "0.0.7 (abc)");
+    EXPECT_EQ(reached_time(whole, "checkpoint.h5"), 0.0);
+    Checkpoint shorter_clock = whole;
+    shorter_clock.scalars["clock"].pop_back();
+    Checkpoint fewer_columns = whole;
+    fewer_columns.scalars.erase("measures.volume_mm3");
+    Checkpoint fewer_counters = whole;
+    fewer_counters.integers["counters"].pop_back();
+    for (const Checkpoint& other : {shorter_clock, fewer_columns, fewer_counters})
+    {
+        const std::string message = message_of<InputError>([&] { reached_time(other, "checkpoint.h5"); });
+        EXPECT_THAT(message, HasSubstr("checkpoint.h5: "));
+        EXPECT_THAT(message,
+                    ContainsRegex("that version 0.0.7 \\(abc\\) wrote .*; got [038] values of [a-z_.0-9]+; expected "));
+        EXPECT_THAT(message, HasSubstr(", as version " + std::string(program_version()) + " writes them"));
+    }
+}
+
 TEST(Simulation, TakesBackAStepThatInvertsAParticleAndGoesOn)
 {
     Options options = test::sphere_options(2500);
     options.contact.enabled = false;
     options.dynamics.cfl = 5.0; // far beyond stability
     options.dynamics.max_halvings = 30;
-    Body body = test::small_sphere();
-    Simulation simulation(body, options);
+    const Model body = *test::small_model();
+    Simulation simulation(test::shared(body), options);
     simulation.restore(rough_start(body, 0.1));
     take_steps(simulation, 60);
     EXPECT_GT(simulation.state().rejected_steps, 0);
@@ -116,8 +137,8 @@ TEST(Simulation, TakesBackAStepThatInvertsAParticleAndGoesOn)
 TEST(Simulation, AStepThatHasCollapsedEndsTheRunWithADiagnosis)
 {
     const Options options = test::sphere_options(2500);
-    Body body = test::small_sphere();
-    Simulation simulation(body, options);
+    const Model body = *test::small_model();
+    Simulation simulation(test::shared(body), options);
     State state = rough_start(body, 0.05);
     state.step_scale = 1e-6;
     state.rejected_steps = 1234;
@@ -128,13 +149,34 @@ TEST(Simulation, AStepThatHasCollapsedEndsTheRunWithADiagnosis)
     EXPECT_THAT(message, ContainsRegex("most compressed: particle [0-9]+: position"));
 }
 
+TEST(Simulation, AStepThatContactMakesTooShortNamesThePair)
+{
+    Options options = test::sphere_options(2500);
+    options.contact.distance = 2.0; // every vertex and edge has neighbours within
+    options.contact.stiffness = 1e14;
+    const Model body = *test::small_model();
+    Simulation simulation(test::shared(body), options);
+    State state = rough_start(body, 0.0);
+    for (Vec3& x : state.motion.x)
+    {
+        x *= 0.99; // closer than at rest
+    }
+    simulation.restore(state);
+    const std::string message = message_of<RunError>([&] { simulation.step(1.0); });
+    EXPECT_THAT(message, HasSubstr("the step has collapsed at step 1"));
+    EXPECT_THAT(message, ContainsRegex("stiffest contact: (particle [0-9]+ and the triangle of|particles [0-9]+ and "
+                                       "[0-9]+ and the edge of) particles [0-9, ]+.*: distance [0-9.e-]+ mm, repels "
+                                       "below [0-9.e-]+ mm, at \\("));
+    EXPECT_THAT(message, Not(HasSubstr("most compressed")));
+}
+
 /// A crushed body, whose rate has no bound: no endless loop of steps of no length.
 TEST(Simulation, ABodyCrushedToNothingEndsTheRun)
 {
     Options options = test::sphere_options(2500);
     options.contact.enabled = false;
-    Body body = test::small_sphere();
-    Simulation simulation(body, options);
+    const Model body = *test::small_model();
+    Simulation simulation(test::shared(body), options);
     State state = rough_start(body, 0.0);
     for (Vec3& x : state.motion.x)
     {
@@ -154,8 +196,8 @@ TEST(Simulation, GivesUpWithADiagnosis)
     options.contact.enabled = false;
     options.dynamics.cfl = 5.0;
     options.dynamics.max_halvings = 0;
-    Body body = test::small_sphere();
-    Simulation simulation(body, options);
+    const Model body = *test::small_model();
+    Simulation simulation(test::shared(body), options);
     simulation.restore(rough_start(body, 0.1));
     try
     {
@@ -174,8 +216,8 @@ TEST(Simulation, GivesUpWithADiagnosis)
 TEST(Simulation, AnInvertedStartIsRefused)
 {
     const Options options = test::sphere_options(2500);
-    Body body = test::small_sphere();
-    Simulation simulation(body, options);
+    const Model body = *test::small_model();
+    Simulation simulation(test::shared(body), options);
     State state = rough_start(body, 0.0);
     state.motion.x = test::affine(state.motion.x, Mat3::diagonal(1, 1, -1));
     EXPECT_THROW(simulation.restore(state), RunError);
@@ -184,8 +226,8 @@ TEST(Simulation, AnInvertedStartIsRefused)
 TEST(Simulation, StopsAtTheTimeItIsToldTo)
 {
     const Options options = test::sphere_options(2500);
-    Body body = test::small_sphere();
-    Simulation simulation(body, options);
+    const Model body = *test::small_model();
+    Simulation simulation(test::shared(body), options);
     const double t_stop = 2.5 * simulation.step_size();
     int steps = 0;
     for (; simulation.state().t < t_stop; ++steps)
@@ -200,8 +242,8 @@ TEST(Simulation, LoadingTimeIsCountedInCrossingsOfTheBody)
 {
     Options options = test::sphere_options(2500);
     options.dynamics.loading_time = 40.0;
-    Body body = test::small_sphere();
-    const Simulation simulation(body, options);
+    const Model body = *test::small_model();
+    const Simulation simulation(test::shared(body), options);
     // T = 40 R / c_p with c_p = sqrt(5 + 4/3) at density 1; R from the particles' volumes, which sum to the sphere's.
     EXPECT_NEAR(simulation.total_time() / (40.0 * 12.496 / std::sqrt(5.0 + 4.0 / 3.0)), 1.0, 1e-9);
 }
@@ -209,8 +251,8 @@ TEST(Simulation, LoadingTimeIsCountedInCrossingsOfTheBody)
 TEST(Simulation, LoadsFasterOnceFoldsHaveAppeared)
 {
     Options options = test::sphere_options(2500);
-    Body body = test::small_sphere();
-    Simulation simulation(body, options);
+    const Model body = *test::small_model();
+    Simulation simulation(test::shared(body), options);
     while (simulation.state().t < 0.17)
     {
         simulation.step(0.17);
@@ -243,7 +285,7 @@ TEST(Simulation, LoadsFasterOnceFoldsHaveAppeared)
     EXPECT_LT(simulation.state().loading_rate, last);
 
     options.dynamics.fastest_loading = 1.0;
-    Simulation constant(body, options);
+    Simulation constant(test::shared(body), options);
     constant.restore(folded);
     take_steps(constant, 10);
     EXPECT_EQ(constant.state().loading_rate, 1.0);

@@ -33,7 +33,7 @@ Options uniform_options(std::int64_t particles)
 }
 
 /// Amplitude of the first breathing mode, u = j1(k r): the modes are orthogonal with respect to mass.
-double breathing_amplitude(const Body& body, std::span<const Vec3> x)
+double breathing_amplitude(const Model& body, std::span<const Vec3> x)
 {
     double sum = 0.0;
     for (std::size_t i = 0; i < x.size(); ++i)
@@ -50,8 +50,8 @@ TEST(SphereMotion, BreathesWithThePeriodOfTheory)
 {
     Options options = uniform_options(4000);
     options.dynamics.loading_time = 14.0; // six and a half periods
-    Body body = prepare_body(options).body;
-    Simulation simulation(body, options);
+    Model body = prepare_body(options).model;
+    Simulation simulation(test::shared(body), options);
     simulation.restore(at_rest(test::affine(body.cloud.positions, (1.0 + 1e-3) * Mat3::identity())));
     std::vector<double> crossings;
     double before = breathing_amplitude(body, simulation.state().motion.x);
@@ -83,9 +83,8 @@ TEST(SphereMotion, EnergyBooksOfADampedVibrationBalance)
     options.dynamics.loading_time = 4.0;
     options.dynamics.damping = 3.0;
     options.dynamics.cfl = 0.05;
-    Body body = test::small_sphere();
-    body.tissue.options = options.tissue;
-    Simulation simulation(body, options);
+    const Model body = *test::small_model();
+    Simulation simulation(test::shared(body), options);
     simulation.restore(at_rest(test::affine(body.cloud.positions, Mat3::diagonal(1.01, 1.0, 0.995))));
     const auto stored = [&] { return simulation.internal().elastic_energy + simulation.internal().zero_mode_energy; };
     const double at_start = stored();
@@ -107,8 +106,8 @@ TEST(SphereMotion, EnergyBooksOfGrowthBalance)
     options.contact.enabled = false;
     options.dynamics.cfl = 0.1;
     options.dynamics.loading_time = 100.0;
-    Body body = test::small_sphere();
-    Simulation simulation(body, options);
+    const Model body = *test::small_model();
+    Simulation simulation(test::shared(body), options);
     while (simulation.state().t < 0.1)
     {
         simulation.step(0.1);
@@ -123,7 +122,7 @@ TEST(SphereMotion, EnergyBooksOfGrowthBalance)
 double outer_displacement(const Simulation& simulation)
 {
     const std::vector<Vec3> x = simulation.surface_positions();
-    const std::vector<Vec3>& X = simulation.body().surface.vertices;
+    const std::vector<Vec3>& X = simulation.model().surface.vertices;
     double sum = 0.0;
     for (std::size_t k = 0; k < x.size(); ++k)
     {
@@ -149,7 +148,7 @@ TEST_P(CortexOfTheThesis, GrowsAsTheoryBeforeItFolds)
     options.tissue.lambda = 0.75;
     options.tissue.alpha_t = 1.0;
     options.contact.enabled = false;
-    Body body = prepare_body(options).body;
+    Model body = prepare_body(options).model;
     std::vector<Vec3> x = body.cloud.positions;
     for (const auto& [g, outer_mm] : {Growth{1.1, 0.284259}, Growth{1.3, 0.837864}})
     {
@@ -158,7 +157,7 @@ TEST_P(CortexOfTheThesis, GrowsAsTheoryBeforeItFolds)
         const double hold = 1e-3;
         options.dynamics.loading_time = 12.0 / hold;
         options.dynamics.damping = 2.0 * 2.911346 * options.dynamics.loading_time;
-        Simulation simulation(body, options);
+        Simulation simulation(test::shared(body), options);
         simulation.restore(at_rest(x, g - 1.0 - hold));
         while (simulation.state().t < g - 1.0)
         {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/config/options.hpp"
-#include "corticle/prepare/body.hpp"
 #include "corticle/prepare/body_checks.hpp"
+#include "corticle/prepare/prepare.hpp"
 
 #include "corticle/base/error.hpp"
 #include "formats/temporary_folder.hpp"
@@ -22,7 +22,7 @@ struct Column
 {
     Options options;
     std::vector<Vec3> places;
-    Tissue tissue;
+    TissueFields tissue;
 
     Column()
     {
@@ -34,7 +34,6 @@ struct Column
     }
     std::string refusal()
     {
-        tissue.options = options.tissue;
         return message_of<InputError>([&] { require_cortex(options, places, tissue); });
     }
 };
@@ -78,7 +77,7 @@ TEST(BodyChecks, AThicknessThatComesToNothingSomewhereIsRefused)
 TEST(BodyChecks, ABodyFarFromTheSizeOfABrainIsSaid)
 {
     Options options;
-    Body body;
+    Model body;
     body.cloud.volumes.assign(1000, 1e-6);
     EXPECT_EQ(size_warning(options, body), ""); // a built-in shape may be a model of anything
     options.geometry.shape = Shape::file;

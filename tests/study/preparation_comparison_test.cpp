@@ -25,7 +25,7 @@ Options thesis_sphere()
 
 struct Compared
 {
-    Body body;
+    Model body;
     PreparationComparison comparison;
 };
 
@@ -33,7 +33,7 @@ const Compared& compared()
 {
     static const Compared once = []
     {
-        Compared result{prepare_body(thesis_sphere()).body, {}};
+        Compared result{prepare_body(thesis_sphere()).model, {}};
         result.comparison = compare_preparation(result.body, thesis_sphere());
         return result;
     }();
@@ -104,7 +104,7 @@ TEST(PreparationComparison, OffTheSphereEq24IsNoLayerOfOneThickness)
     options.geometry.particles = 3000;
     options.tissue.layer = Layer::smooth;
     options.tissue.thickness_mm = 2.0;
-    const Body body = prepare_body(options).body;
+    const Model body = prepare_body(options).model;
     const PreparationComparison c = compare_preparation(body, options);
     EXPECT_EQ(c.reference, "triangulated surface");
     EXPECT_EQ(c.depths[0].largest, 0.0);

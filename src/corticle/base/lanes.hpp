@@ -1,86 +1,93 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <bit>
 #include <cmath>
 #include <concepts>
 #include <cstdint>
+#include <type_traits>
 
 namespace corticle
 {
 
-/// Needed, not only wished, for what takes or returns WideLanes: how those are passed differs between instruction sets,
-/// so a function that was not inlined would be called in one way and answer in another.
-#define CORTICLE_INLINE [[gnu::always_inline]] inline
-
-/// Builds a function for several instruction sets into one binary; the processor at hand chooses when the program
-/// starts.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
-#define CORTICLE_EVERY_ISA [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
-#define CORTICLE_RUNS(isa) __builtin_cpu_supports(isa)
+/// Marks the functions of the laws: inlined always, and built for a device too where the compiler is one for devices.
+/// Inlining is needed, not only wished, for what takes or returns WideLanes (simd.hpp): how those are passed differs
+/// between instruction sets, so a function that was not inlined would be called in one way and answer in another.
+#if defined(__CUDACC__) || defined(__CUDA__) || defined(__HIP__)
+#define CORTICLE_INLINE __attribute__((host, device, always_inline)) inline
 #else
-#define CORTICLE_EVERY_ISA
-#define CORTICLE_RUNS(isa) false
+#define CORTICLE_INLINE [[gnu::always_inline]] inline
 #endif
 
-/// Doubles in a register, in the build of such a function that the processor at hand runs.
-inline const int register_lanes = CORTICLE_RUNS("x86-64-v4") ? 8 : CORTICLE_RUNS("x86-64-v3") ? 4 : 2;
-
-/// Eight doubles in one SIMD register, or in two or four, as the processor has it. Arithmetic and comparisons go lane
-/// by lane; `mask ? a : b` chooses lane by lane.
-using WideLanes = double __attribute__((vector_size(64)));
-using WideIntegers = std::int64_t __attribute__((vector_size(64)));
-inline constexpr std::int64_t wide_lanes = 8;
-/// The same read from or written to memory that holds doubles.
-using WideMemory = double __attribute__((vector_size(64), may_alias));
-
-/// What vectors, matrices and the laws of the tissue are made of: one number, or those of eight material points.
+/// What the laws ask of a kind of number beside its operators. Specialised in simd.hpp for eight numbers at once.
 template <class Real>
-concept RealLike = std::same_as<Real, double> || std::same_as<Real, WideLanes>;
-
-/// Tells the processor that memory at an address will be read soon, which saves the wait where its own guess does not
-/// reach: at places that a table names, and at the start of every short stretch of a long array. Any address will do.
-CORTICLE_INLINE void read_soon(const void* address)
+struct RealTraits
 {
-    __builtin_prefetch(address);
-}
+    /// What the constants of a formula are written in: a device that computes with float is not to convert to double.
+    using Scalar = std::conditional_t<std::floating_point<Real>, Real, double>;
+    /// As many bits, for inverse_cube_root.
+    using Integer = std::conditional_t<std::same_as<Real, double>, std::int64_t,
+                                       std::conditional_t<std::same_as<Real, float>, std::int32_t, void>>;
 
-/// Eight of the floats that follow an address, in double precision.
-CORTICLE_INLINE WideLanes widen(const float* first)
+    CORTICLE_INLINE static Real square_root(const Real& a)
+    {
+        using std::sqrt;
+        return sqrt(a);
+    }
+    CORTICLE_INLINE static Real& at_lane(Real& real, int /*lane*/) { return real; }
+};
+template <class Real>
+using ScalarOf = typename RealTraits<Real>::Scalar;
+
+/// What vectors, matrices and the laws of the tissue are made of: one number in double or single precision, those of
+/// eight material points at once, or one that carries a derivative along.
+template <class Real>
+concept RealLike = !std::integral<Real> && requires(const Real& a, Real& b, ScalarOf<Real> s)
 {
-    using Floats = float __attribute__((vector_size(32), aligned(4), may_alias));
-    return __builtin_convertvector(*reinterpret_cast<const Floats*>(first), WideLanes);
-}
+    {
+        a + a
+        } -> std::convertible_to<Real>;
+    {
+        a - a
+        } -> std::convertible_to<Real>;
+    {
+        a* a
+        } -> std::convertible_to<Real>;
+    {
+        a / a
+        } -> std::convertible_to<Real>;
+    {
+        s* a
+        } -> std::convertible_to<Real>;
+    {
+        a + s
+        } -> std::convertible_to<Real>;
+    {
+        -a
+        } -> std::convertible_to<Real>;
+    b += a;
+    a < s;
+};
 
 /// The same number in all lanes.
 template <RealLike Real>
 CORTICLE_INLINE constexpr Real broadcast(double value)
 {
-    return Real{} + value;
+    return Real{} + static_cast<ScalarOf<Real>>(value);
 }
 
-CORTICLE_INLINE double square_root(double a)
+template <RealLike Real>
+CORTICLE_INLINE Real square_root(const Real& a)
 {
-    return std::sqrt(a);
-}
-CORTICLE_INLINE WideLanes square_root(const WideLanes& a)
-{
-    alignas(64) double lanes[wide_lanes];
-    *reinterpret_cast<WideMemory*>(lanes) = a;
-    for (double& lane : lanes)
-    {
-        lane = std::sqrt(lane);
-    }
-    return *reinterpret_cast<const WideMemory*>(lanes);
+    return RealTraits<Real>::square_root(a);
 }
 
-/// The larger of two numbers; the second where one of them is none.
+/// The larger of two numbers; the second where one of them is NaN.
 template <RealLike Real>
 CORTICLE_INLINE Real larger(const Real& a, const Real& b)
 {
     return a > b ? a : b;
 }
-/// The smaller of two numbers; the second where one of them is none.
+/// The smaller of two numbers; the second where one of them is NaN.
 template <RealLike Real>
 CORTICLE_INLINE Real smaller(const Real& a, const Real& b)
 {
@@ -88,36 +95,27 @@ CORTICLE_INLINE Real smaller(const Real& a, const Real& b)
 }
 
 /// Calls act(lane) where the mask that a comparison gives is set.
-template <class Act>
-CORTICLE_INLINE void for_lanes(bool mask, Act&& act)
+template <class Mask, class Act>
+CORTICLE_INLINE void for_lanes(const Mask& mask, Act&& act)
 {
-    if (mask)
+    if constexpr (std::same_as<Mask, bool>)
     {
-        act(0);
-    }
-}
-template <class Act>
-CORTICLE_INLINE void for_lanes(const WideIntegers& mask, Act&& act)
-{
-    const auto* lanes = reinterpret_cast<const std::int64_t*>(&mask);
-    std::int64_t any = 0;
-    for (int lane = 0; lane < wide_lanes; ++lane)
-    {
-        any |= lanes[lane];
-    }
-    for (int lane = 0; any != 0 && lane < wide_lanes; ++lane)
-    {
-        if (lanes[lane] != 0)
+        if (mask)
         {
-            act(lane);
+            act(0);
         }
     }
+    else
+    {
+        RealTraits<Mask>::for_lanes(mask, act);
+    }
 }
+
 /// One lane of a number or of eight.
 template <RealLike Real>
-CORTICLE_INLINE double& at_lane(Real& real, int lane)
+CORTICLE_INLINE auto& at_lane(Real& real, int lane)
 {
-    return reinterpret_cast<double*>(&real)[lane];
+    return RealTraits<Real>::at_lane(real, lane);
 }
 
 /// a^(-1/3) for a > 0 to round-off: a guess from the exponent bits, then Newton steps r <- r (4 - a r³) / 3.
@@ -125,16 +123,35 @@ CORTICLE_INLINE double& at_lane(Real& real, int lane)
 template <RealLike Real>
 CORTICLE_INLINE Real inverse_cube_root(const Real& a)
 {
-    using Integer = std::conditional_t<std::same_as<Real, double>, std::int64_t, WideIntegers>;
-    // The guess subtracts a third of the upper 32 bits, by a multiplication: no processor divides integers in lanes.
-    const Integer upper = std::bit_cast<Integer>(a) >> 32;
-    const Integer third = (upper * 0x55555556) & ~std::int64_t{0xffffffff};
-    Real r = std::bit_cast<Real>(0x553ef0ff289dd796 - third);
-    for (int step = 0; step < 4; ++step)
+    using Scalar = ScalarOf<Real>;
+    using Integer = typename RealTraits<Real>::Integer;
+    if constexpr (std::same_as<Integer, void>)
     {
-        r *= (4.0 - a * r * r * r) * (1.0 / 3.0);
+        using std::cbrt;
+        return Scalar(1.0) / cbrt(a);
     }
-    return r;
+    else
+    {
+        Real r;
+        if constexpr (std::same_as<Real, float>)
+        {
+            const auto bits = __builtin_bit_cast(Integer, a);
+            r = __builtin_bit_cast(Real, 0x54a2fa8c - bits / 3);
+        }
+        else
+        {
+            // A third of the upper 32 bits is subtracted, by a multiplication: no processor divides integers in lanes.
+            const Integer upper = __builtin_bit_cast(Integer, a) >> 32;
+            const Integer third = (upper * 0x55555556) & ~std::int64_t{0xffffffff};
+            const Integer guess = 0x553ef0ff289dd796 - third;
+            r = __builtin_bit_cast(Real, guess);
+        }
+        for (int step = 0; step < 4; ++step)
+        {
+            r *= (Scalar(4.0) - a * r * r * r) * Scalar(1.0 / 3.0);
+        }
+        return r;
+    }
 }
 
 } // namespace corticle

@@ -12,15 +12,15 @@ struct BasicMat3
 {
     BasicVec3<Real> column[3];
 
-    constexpr Real& operator()(int row, int col) { return column[col][row]; }
-    constexpr const Real& operator()(int row, int col) const { return column[col][row]; }
+    CORTICLE_INLINE constexpr Real& operator()(int row, int col) { return column[col][row]; }
+    CORTICLE_INLINE constexpr const Real& operator()(int row, int col) const { return column[col][row]; }
 
-    static constexpr BasicMat3 identity()
+    CORTICLE_INLINE static constexpr BasicMat3 identity()
     {
         const Real one = broadcast<Real>(1.0);
         return diagonal(one, one, one);
     }
-    static constexpr BasicMat3 diagonal(const Real& a, const Real& b, const Real& c)
+    CORTICLE_INLINE static constexpr BasicMat3 diagonal(const Real& a, const Real& b, const Real& c)
     {
         const Real zero{};
         return {{{a, zero, zero}, {zero, b, zero}, {zero, zero, c}}};
@@ -92,7 +92,7 @@ CORTICLE_INLINE constexpr BasicMat3<Real> cofactor(const BasicMat3<Real>& a)
 template <RealLike Real>
 CORTICLE_INLINE constexpr BasicMat3<Real> inverse(const BasicMat3<Real>& a)
 {
-    return (1.0 / determinant(a)) * transpose(cofactor(a));
+    return (ScalarOf<Real>(1.0) / determinant(a)) * transpose(cofactor(a));
 }
 /// sum_ij a_ij b_ij
 template <RealLike Real>

@@ -18,30 +18,33 @@ struct alignas(sizeof(Real) == sizeof(double) ? 32 : alignof(Real)) BasicVec3
     Real z{};
     Real lane{}; ///< fills the register; zero, or a number that belongs to the vector
 
-    constexpr Real& operator[](int axis) { return axis == 0 ? x : (axis == 1 ? y : z); }
-    constexpr const Real& operator[](int axis) const { return axis == 0 ? x : (axis == 1 ? y : z); }
+    CORTICLE_INLINE constexpr Real& operator[](int axis) { return axis == 0 ? x : (axis == 1 ? y : z); }
+    CORTICLE_INLINE constexpr const Real& operator[](int axis) const { return axis == 0 ? x : (axis == 1 ? y : z); }
     /// Of the three numbers: the fourth lane is no part of the vector.
-    friend constexpr bool operator==(const BasicVec3& a, const BasicVec3& b)
+    CORTICLE_INLINE friend constexpr bool operator==(const BasicVec3& a, const BasicVec3& b)
     {
         return a.x == b.x && a.y == b.y && a.z == b.z;
     }
 };
 using Vec3 = BasicVec3<double>;
 
-/// A Vec3 and its fourth lane in one SIMD register, or in two, or in four scalars, as the processor has it.
-using Lanes = double __attribute__((vector_size(32), may_alias));
-CORTICLE_INLINE const Lanes& lanes(const Vec3& v)
-{
-    return *reinterpret_cast<const Lanes*>(&v.x);
-}
-CORTICLE_INLINE Lanes& lanes(Vec3& v)
-{
-    return *reinterpret_cast<Lanes*>(&v.x);
-}
-
 /// A factor that a vector of Real can be multiplied with.
 template <class Factor, class Real>
 concept FactorOf = std::same_as<Factor, Real> || std::integral<Factor> || std::floating_point<Factor>;
+
+/// The factor as the arithmetic of Real takes it: in single precision where Real is.
+template <RealLike Real, FactorOf<Real> Factor>
+CORTICLE_INLINE constexpr auto factor_of(const Factor& s)
+{
+    if constexpr (std::same_as<Factor, Real>)
+    {
+        return s;
+    }
+    else
+    {
+        return static_cast<ScalarOf<Real>>(s);
+    }
+}
 
 template <RealLike Real>
 CORTICLE_INLINE constexpr BasicVec3<Real> operator+(const BasicVec3<Real>& a, const BasicVec3<Real>& b)
@@ -61,7 +64,8 @@ CORTICLE_INLINE constexpr BasicVec3<Real> operator-(const BasicVec3<Real>& a)
 template <RealLike Real, FactorOf<Real> Factor>
 CORTICLE_INLINE constexpr BasicVec3<Real> operator*(const Factor& s, const BasicVec3<Real>& a)
 {
-    return {s * a.x, s * a.y, s * a.z};
+    const auto f = factor_of<Real>(s);
+    return {f * a.x, f * a.y, f * a.z};
 }
 template <RealLike Real, FactorOf<Real> Factor>
 CORTICLE_INLINE constexpr BasicVec3<Real> operator*(const BasicVec3<Real>& a, const Factor& s)
@@ -71,7 +75,8 @@ CORTICLE_INLINE constexpr BasicVec3<Real> operator*(const BasicVec3<Real>& a, co
 template <RealLike Real, FactorOf<Real> Factor>
 CORTICLE_INLINE constexpr BasicVec3<Real> operator/(const BasicVec3<Real>& a, const Factor& s)
 {
-    return {a.x / s, a.y / s, a.z / s};
+    const auto f = factor_of<Real>(s);
+    return {a.x / f, a.y / f, a.z / f};
 }
 template <RealLike Real>
 CORTICLE_INLINE constexpr BasicVec3<Real>& operator+=(BasicVec3<Real>& a, const BasicVec3<Real>& b)

@@ -22,9 +22,6 @@ double shape_volume(const GeometryOptions& geometry);
 /// What is allowed but probably not meant, one line each.
 std::vector<std::string> case_warnings(const Options& options);
 
-/// Times of growth closer than this are the same output time.
-inline constexpr double same_output_time = 1e-9;
-
 /// A line for each of output.times, output.weeks and output.picture_times that names times which a run from growth
 /// time `from` on does not reach. @param recorded  output times that an earlier part of the run has written
 std::vector<std::string> dropped_outputs(const Options& options, double from, std::span<const double> recorded = {});

@@ -44,7 +44,8 @@ template <RealLike Real>
 CORTICLE_INLINE BasicMat3<Real> inverse_growth_tensor(const Real& g_t, const BasicVec3<Real>& normal,
                                                       const Real& g_r = broadcast<Real>(1.0))
 {
-    return (1.0 / g_t) * BasicMat3<Real>::identity() + (1.0 / g_r - 1.0 / g_t) * outer(normal, normal);
+    constexpr ScalarOf<Real> one(1.0);
+    return (one / g_t) * BasicMat3<Real>::identity() + (one / g_r - one / g_t) * outer(normal, normal);
 }
 
 /// Normal of the deformed material surface y = const, turned back by the rotation R of F = R U: R^T F^-T n / |F^-T n|,

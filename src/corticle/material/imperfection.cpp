@@ -45,7 +45,7 @@ double RandomWaves::at(const Vec3& X) const
     return std::sqrt(2.0 / static_cast<double>(waves_.size())) * sum;
 }
 
-void apply_imperfection(const RandomWaves& waves, double amplitude, std::span<const Vec3> places, Tissue& tissue)
+void apply_imperfection(const RandomWaves& waves, double amplitude, std::span<const Vec3> places, TissueFields& tissue)
 {
     parallel_for(std::ssize(places),
                  [&](std::int64_t i)

@@ -11,7 +11,7 @@
 namespace corticle
 {
 
-struct Tissue;
+struct TissueFields;
 
 /// Imperfection that folds grow from (keys under [imperfection]).
 struct ImperfectionOptions
@@ -44,6 +44,6 @@ class RandomWaves
 
 /// Multiplies the growth m of every point by 1 + amplitude · waves, taken at the closest point of the surface, so that
 /// a column of cortex grows as one and every resolution and method gets the same field.
-void apply_imperfection(const RandomWaves& waves, double amplitude, std::span<const Vec3> places, Tissue& tissue);
+void apply_imperfection(const RandomWaves& waves, double amplitude, std::span<const Vec3> places, TissueFields& tissue);
 
 } // namespace corticle

@@ -9,53 +9,71 @@
 namespace corticle
 {
 
-void Tissue::set_layer(double t)
+bool layer_moves(const TissueFields& fields, const TissueOptions& options, const ReferenceSize& size)
+{
+    return fields.given_theta.empty() && (options.thickness_rate_mm != 0.0 || size.law != LengthLaw::none);
+}
+
+void set_layer(const TissueFields& fields, const TissueOptions& options, const ReferenceSize& size, double t,
+               TissueState& state)
 {
     const double scale = size.scale(t);
     const double scale_rate = size.scale_rate(t);
     const bool moves = options.layer == Layer::smooth && (options.thickness_rate_mm != 0.0 || scale_rate != 0.0);
-    theta.resize(depth.size());
-    theta_rate.resize(moves ? depth.size() : 0);
-    parallel_for(std::ssize(depth),
+    state.theta.resize(fields.depth.size());
+    state.theta_rate.resize(moves ? fields.depth.size() : 0);
+    parallel_for(std::ssize(fields.depth),
                  [&](std::int64_t i)
                  {
                      const auto k = static_cast<std::size_t>(i);
-                     const double H = thickness_at(k, t) / scale;
-                     theta[k] = options.layer == Layer::smooth ? smooth_layer(depth[k], H) : H - depth[k];
+                     const double depth = fields.depth[k];
+                     const double H = thickness_at(fields, options, k, t) / scale;
+                     double& theta = state.theta[k];
+                     theta = options.layer == Layer::smooth ? smooth_layer(depth, H) : H - depth;
                      if (moves)
                      {
                          const double H_rate = (options.thickness_rate_mm - H * scale_rate) / scale;
-                         theta_rate[k] = theta[k] * (1.0 - theta[k]) * 10.0 * depth[k] / (H * H) * H_rate;
+                         state.theta_rate[k] = theta * (1.0 - theta) * 10.0 * depth / (H * H) * H_rate;
                      }
                  });
     if (options.layer == Layer::binary)
     {
-        theta = sharp_layer(theta, volume, volume_inside(theta, volume));
+        state.theta = sharp_layer(state.theta, fields.volume, volume_inside(state.theta, fields.volume));
     }
+}
+
+TissueState start_tissue(const TissueFields& fields, const TissueOptions& options, const ReferenceSize& size, double t)
+{
+    TissueState state;
+    if (fields.given_theta.empty())
+    {
+        set_layer(fields, options, size, t, state);
+    }
+    else
+    {
+        state.theta = fields.given_theta;
+    }
+    const Tissue tissue{options, fields, state};
+    std::vector<PastGrowth> grown(state.theta.size());
+    bool any = false;
+    for (std::size_t i = 0; i < grown.size(); ++i)
+    {
+        const MaterialPoint now = tissue.point(i, t);
+        grown[i] = {now.growth, now.radial_growth};
+        any = any || now.growth != 1.0 || now.radial_growth != 1.0;
+    }
+    if (any)
+    {
+        state.past = std::move(grown);
+    }
+    return state;
 }
 
 bool Tissue::grows_plainly() const
 {
     return options.alpha_r == 0.0 && options.alpha_white == 0.0 && options.growth_law == GrowthLaw::linear &&
            options.growth_onset == 0.0 && options.growth_rate == 1.0 && options.normal == NormalFrame::reference &&
-           growth_onset.empty() && growth_rate.empty() && theta_rate.empty() && past.empty();
-}
-
-void Tissue::start_growth(double t)
-{
-    past.clear();
-    std::vector<PastGrowth> grown(theta.size());
-    bool any = false;
-    for (std::size_t i = 0; i < theta.size(); ++i)
-    {
-        const MaterialPoint now = point(i, t);
-        grown[i] = {now.growth, now.radial_growth};
-        any = any || now.growth != 1.0 || now.radial_growth != 1.0;
-    }
-    if (any)
-    {
-        past = std::move(grown);
-    }
+           fields.growth_onset.empty() && fields.growth_rate.empty() && state.theta_rate.empty() && state.past.empty();
 }
 
 std::vector<double> ellipsoid_layer(std::span<const Vec3> positions, std::span<const double> volume,
@@ -80,8 +98,7 @@ std::vector<double> ellipsoid_layer(std::span<const Vec3> positions, std::span<c
 
 double wave_speed(const TissueOptions& options)
 {
-    const MaterialPoint white = material_point(options, 0.0, 1.0, 0.0);
-    return std::sqrt(white.bulk_modulus + 4.0 / 3.0 * white.shear_modulus);
+    return std::sqrt(longitudinal_modulus(material_point(options, 0.0, 1.0, 0.0)));
 }
 
 } // namespace corticle

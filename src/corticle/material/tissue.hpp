@@ -2,7 +2,7 @@
 #pragma once
 
 #include "corticle/material/growth.hpp"
-#include "corticle/material/options.hpp"
+#include "corticle/material/material_point.hpp"
 #include "corticle/material/size.hpp"
 
 #include <array>
@@ -13,40 +13,6 @@
 namespace corticle
 {
 
-/// Moduli and growth of one material point at a time t.
-template <RealLike Real>
-struct BasicMaterialPoint
-{
-    Real growth;             ///< g_t, in the plane of the layer [-]
-    Real radial_growth;      ///< g_r, along the normal [-]
-    Real growth_rate;        ///< dg_t/dt [-]
-    Real radial_growth_rate; ///< dg_r/dt [-]
-    Real shear_modulus;      ///< [mu_w]
-    Real bulk_modulus;       ///< [mu_w]
-    Real shear_rate{};       ///< dmu/dt where the layer moves [mu_w]
-    Real bulk_rate{};        ///< dK/dt where the layer moves [mu_w]
-};
-using MaterialPoint = BasicMaterialPoint<double>;
-
-/// mu = theta mu_c + (1 - theta) mu_w; K = ratio mu (per tissue) or one constant (uniform);
-/// g_t = 1 + (alpha_t theta + alpha_white (1 - theta)) m f, g_r the same with alpha_r.
-/// @param course  f, equal to t for the linear law; rates are per f, theta fixed
-template <RealLike Real>
-CORTICLE_INLINE BasicMaterialPoint<Real> material_point(const TissueOptions& options, const Real& theta,
-                                                        const Real& regional_rate, double course)
-{
-    const Real mu = theta * options.mu_cortex + (1.0 - theta) * options.mu_white;
-    const Real white = options.alpha_white * (1.0 - theta);
-    const Real tangential = (options.alpha_t * theta + white) * regional_rate;
-    const Real radial = (options.alpha_r * theta + white) * regional_rate;
-    return {1.0 + tangential * course,
-            1.0 + radial * course,
-            tangential,
-            radial,
-            mu,
-            options.bulk == BulkRule::per_tissue ? options.bulk_modulus * mu : broadcast<Real>(options.bulk_modulus)};
-}
-
 /// Growth that the body as imaged has behind it.
 struct PastGrowth
 {
@@ -54,12 +20,10 @@ struct PastGrowth
     double radial;     ///< g_r at the start [-]
 };
 
-/// What the tissue is at every material point; depends on t only through theta, when the cortex thickens.
-/// Arrays that are empty cost nothing: the one value of the options holds everywhere.
-struct Tissue
+/// What the tissue is at every material point; constant. Arrays that are empty cost nothing: the one value of the
+/// options holds everywhere.
+struct TissueFields
 {
-    TissueOptions options;
-    ReferenceSize size;                ///< s, by which the cortex thins; without a law it does not
     std::vector<double> volume;        ///< reference volume [mm³]
     std::vector<double> depth;         ///< y, reference distance to the surface [mm]
     std::vector<Vec3> normal;          ///< n, unit, reference
@@ -68,52 +32,71 @@ struct Tissue
     std::vector<double> growth_onset;  ///< [t], or empty
     std::vector<double> growth_rate;   ///< [1/t], or empty
     std::vector<double> thickness;     ///< H_i of the closest surface point [mm], or empty
-    std::vector<double> theta;         ///< cortex share at the current t [-]
-    std::vector<double> theta_rate;    ///< dtheta/dt of a smooth layer that moves, or empty
-    std::vector<PastGrowth> past;      ///< or empty: none
-    bool theta_is_fixed = true;
+    std::vector<double> given_theta;   ///< a cortex that does not follow from depth and thickness [-], or empty
+};
 
-    /// H_i + beta t of particle i [mm]: divided by s(t), the thickness in the reference state.
-    double thickness_at(std::size_t i, double t) const
-    {
-        return (thickness.empty() ? options.thickness_mm : thickness[i]) + options.thickness_rate_mm * t;
-    }
+/// What of the tissue goes with growth time; follows from fields, options and t.
+struct TissueState
+{
+    std::vector<double> theta;      ///< cortex share at the current t [-]
+    std::vector<double> theta_rate; ///< dtheta/dt of a smooth layer that moves, or empty
+    std::vector<PastGrowth> past;   ///< or empty: none
+};
 
-    /// theta(y, H(t)), H(t) = (H_i + beta t) / s(t), with s the scale of the reference state (thesis eqs. 11 and 14;
-    /// s = 1 without a length law), and its rate where H moves a smooth layer.
-    void set_layer(double t);
+/// H_i + beta t of material point i [mm]: divided by s(t), the thickness in the reference state.
+inline double thickness_at(const TissueFields& fields, const TissueOptions& options, std::size_t i, double t)
+{
+    return (fields.thickness.empty() ? options.thickness_mm : fields.thickness[i]) + options.thickness_rate_mm * t;
+}
 
-    /// Makes the body as it is the stress-free one at t: growth is then relative to the growth at t, G(t') G(t)^-1, so
-    /// that a body imaged at t > 0 starts at rest. Call after all arrays and theta are set.
-    void start_growth(double t);
+/// Whether theta changes with t.
+bool layer_moves(const TissueFields& fields, const TissueOptions& options, const ReferenceSize& size);
+
+/// Sets theta(y, H(t)), H(t) = (H_i + beta t) / s(t), with s the scale of the reference state (thesis eqs. 11 and 14;
+/// s = 1 without a length law), and its rate where H moves a smooth layer.
+/// @param size  by which the cortex thins; without a law it does not
+void set_layer(const TissueFields& fields, const TissueOptions& options, const ReferenceSize& size, double t,
+               TissueState& state);
+
+/// The tissue as growth begins at t, where the body is free of stress: growth is relative to the growth at t,
+/// G(t') G(t)^-1, so that a body imaged at t > 0 starts at rest.
+TissueState start_tissue(const TissueFields& fields, const TissueOptions& options, const ReferenceSize& size, double t);
+
+/// The tissue at one time, as the methods see it: refers to what others own.
+struct Tissue
+{
+    const TissueOptions& options;
+    const TissueFields& fields;
+    const TissueState& state;
 
     /// Whether growth is g = 1 + alpha_t theta m t in the reference planes and nothing else: what point() and
-    /// growth_normal() then give needs no more than material_point and `normal`.
+    /// growth_normal() then give needs no more than material_point and the normals.
     bool grows_plainly() const;
 
     /// Moduli and growth of particle i at t.
     MaterialPoint point(std::size_t i, double t) const
     {
-        const GrowthCourse course{options.growth_law, growth_onset.empty() ? options.growth_onset : growth_onset[i],
-                                  growth_rate.empty() ? options.growth_rate : growth_rate[i]};
-        MaterialPoint point = material_point(options, theta[i], regional_rate[i], course.value(t));
+        const GrowthCourse course{options.growth_law,
+                                  fields.growth_onset.empty() ? options.growth_onset : fields.growth_onset[i],
+                                  fields.growth_rate.empty() ? options.growth_rate : fields.growth_rate[i]};
+        MaterialPoint point = material_point(options, state.theta[i], fields.regional_rate[i], course.value(t));
         const double slope = course.slope(t);
         point.growth_rate *= slope;
         point.radial_growth_rate *= slope;
-        if (!theta_rate.empty())
+        if (!state.theta_rate.empty())
         {
-            const double per_theta = theta_rate[i] * regional_rate[i] * course.value(t);
+            const double per_theta = state.theta_rate[i] * fields.regional_rate[i] * course.value(t);
             point.growth_rate += per_theta * (options.alpha_t - options.alpha_white);
             point.radial_growth_rate += per_theta * (options.alpha_r - options.alpha_white);
-            point.shear_rate = theta_rate[i] * (options.mu_cortex - options.mu_white);
+            point.shear_rate = state.theta_rate[i] * (options.mu_cortex - options.mu_white);
             point.bulk_rate = options.bulk == BulkRule::per_tissue ? options.bulk_modulus * point.shear_rate : 0.0;
         }
-        if (!past.empty())
+        if (!state.past.empty())
         {
-            point.growth /= past[i].tangential;
-            point.growth_rate /= past[i].tangential;
-            point.radial_growth /= past[i].radial;
-            point.radial_growth_rate /= past[i].radial;
+            point.growth /= state.past[i].tangential;
+            point.growth_rate /= state.past[i].tangential;
+            point.radial_growth /= state.past[i].radial;
+            point.radial_growth_rate /= state.past[i].radial;
         }
         return point;
     }
@@ -122,7 +105,7 @@ struct Tissue
     /// @param F  deformation gradient of the particle
     Vec3 growth_normal(std::size_t i, const Mat3& F) const
     {
-        return options.normal == NormalFrame::reference ? normal[i] : current_normal(F, normal[i]);
+        return options.normal == NormalFrame::reference ? fields.normal[i] : current_normal(F, fields.normal[i]);
     }
 };
 

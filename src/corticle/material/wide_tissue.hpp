@@ -17,10 +17,10 @@ struct WideTissue
 /// Growth of Tissue::grows_plainly, which the compiler gets to see.
 CORTICLE_INLINE WideTissue plain_tissue(const Tissue& tissue, double t, const WideGroup& group)
 {
-    const WideLanes theta = group.gather(tissue.theta.data());
-    const WideLanes rate = group.gather(tissue.regional_rate.data());
+    const WideLanes theta = group.gather(tissue.state.theta.data());
+    const WideLanes rate = group.gather(tissue.fields.regional_rate.data());
     return {material_point(tissue.options, theta, rate, t),
-            group.gather_vectors([&](std::int64_t i) -> const Vec3& { return tissue.normal[i]; })};
+            group.gather_vectors([&](std::int64_t i) -> const Vec3& { return tissue.fields.normal[i]; })};
 }
 
 /// Any growth, point by point. @param F  of every point; an inverted one keeps the normal of the reference
@@ -47,7 +47,7 @@ CORTICLE_INLINE WideTissue any_tissue(const Tissue& tissue, double t, const Wide
         at_lane(result.point.shear_rate, lane) = point.shear_rate;
         at_lane(result.point.bulk_rate, lane) = point.bulk_rate;
         const Mat3& gradient = gradients[group.at(lane) - group.first];
-        normals[lane] = determinant(gradient) > 0.0 ? tissue.growth_normal(i, gradient) : tissue.normal[i];
+        normals[lane] = determinant(gradient) > 0.0 ? tissue.growth_normal(i, gradient) : tissue.fields.normal[i];
     }
     result.normal =
         WideGroup{0, wide_lanes}.gather_vectors([&](std::int64_t lane) -> const Vec3& { return normals[lane]; });

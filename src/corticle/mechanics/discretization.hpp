@@ -61,6 +61,14 @@ class Discretization
     /// F at every node for given positions of the nodes.
     virtual std::vector<Mat3> deformation_gradients(std::span<const Vec3> x) const = 0;
 
+    /// A node of a material point: the particle itself, or a corner of the element.
+    virtual std::int64_t node_of(std::int64_t material_point) const { return material_point; }
+    /// Where a material point is now, x being the positions of the nodes [mm].
+    virtual Vec3 place_of(std::int64_t material_point, std::span<const Vec3> x) const
+    {
+        return x[static_cast<std::size_t>(material_point)];
+    }
+
     /// What is known of the material point at fault where `invalid_at` is this node: "particle 12: position ..., J
     /// ...".
     virtual std::string diagnosis(std::int64_t node, std::span<const Vec3> x) const = 0;

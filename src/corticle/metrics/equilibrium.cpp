@@ -52,7 +52,7 @@ EquilibriumMeasures equilibrium_measures(const EnergyBalance& energies, double v
 {
     const double least = least_density * volume;
     const double given =
-        energies.elastic + energies.zero_mode + energies.kinetic + energies.contact + energies.dissipated;
+        energies.elastic + energies.zero_mode + energies.kinetic + energies.others + energies.dissipated;
     EquilibriumMeasures m;
     m.zero_mode_share = ratio(energies.zero_mode, energies.elastic, least);
     m.kinetic_share = ratio(energies.kinetic, energies.elastic, least);
@@ -69,7 +69,7 @@ double residual_force(const Simulation& simulation, std::span<const Mat3> F)
         double stress = 0.0;
         double volume = 0.0;
     };
-    const std::vector<double>& volumes = simulation.body().cloud.volumes;
+    const std::vector<double>& volumes = simulation.model().cloud.volumes;
     const Sums sums = parallel_reduce(
         std::ssize(F), Sums{},
         [&](std::int64_t begin, std::int64_t end)

@@ -26,7 +26,7 @@ struct EnergyBalance
     double elastic = 0.0;
     double zero_mode = 0.0;
     double kinetic = 0.0;
-    double contact = 0.0;
+    double others = 0.0; ///< of contact and whatever else stores energy
     double dissipated = 0.0;
     double growth_work = 0.0;
 };

@@ -85,7 +85,7 @@ double area_mean(std::span<const double> values, std::span<const double> areas)
 }
 
 /// det F over the nodes.
-void set_volume_ratios(const Body& body, std::span<const Mat3> F, Measures& m)
+void set_volume_ratios(const Model& model, std::span<const Mat3> F, Measures& m)
 {
     m.J_min = determinant(F[0]);
     m.J_max = m.J_min;
@@ -96,15 +96,15 @@ void set_volume_ratios(const Body& body, std::span<const Mat3> F, Measures& m)
         const double J = determinant(F[i]);
         m.J_min = std::min(m.J_min, J);
         m.J_max = std::max(m.J_max, J);
-        weighted += body.cloud.volumes[i] * J;
-        volume += body.cloud.volumes[i];
+        weighted += model.cloud.volumes[i] * J;
+        volume += model.cloud.volumes[i];
     }
     m.J_mean = weighted / volume;
 }
 
-double reference_volume(const Body& body)
+double reference_volume(const Model& model)
 {
-    return std::accumulate(body.cloud.volumes.begin(), body.cloud.volumes.end(), 0.0);
+    return std::accumulate(model.cloud.volumes.begin(), model.cloud.volumes.end(), 0.0);
 }
 
 void set_energies(const Simulation& simulation, std::span<const Mat3> F, Measures& m)
@@ -114,12 +114,17 @@ void set_energies(const Simulation& simulation, std::span<const Mat3> F, Measure
     m.energy_elastic = internal.elastic_energy;
     m.energy_kinetic = state.kinetic_energy;
     m.energy_zero_mode = internal.zero_mode_energy;
-    m.energy_contact = simulation.contact_energy();
+    double others = 0.0;
+    for (const auto& [name, value] : simulation.energies())
+    {
+        m.energy_contact += name == "contact" ? value : 0.0;
+        others += name == "elastic" || name == "zero_mode" ? 0.0 : value;
+    }
     m.energy_dissipated = state.books.dissipated;
     m.work_growth = state.books.growth_work;
     static_cast<EquilibriumMeasures&>(m) = equilibrium_measures(
-        {m.energy_elastic, m.energy_zero_mode, m.energy_kinetic, m.energy_contact, m.energy_dissipated, m.work_growth},
-        reference_volume(simulation.body()));
+        {m.energy_elastic, m.energy_zero_mode, m.energy_kinetic, others, m.energy_dissipated, m.work_growth},
+        reference_volume(simulation.model()));
     m.residual_force = residual_force(simulation, F);
 }
 
@@ -131,22 +136,22 @@ std::span<const MeasureColumn> measure_columns()
     return columns;
 }
 
-Measures measure(const Simulation& simulation, std::span<const Mat3> F, const SurfaceArrays& arrays,
-                 const PhysicalScale& scale)
+Measures measure(const OutputView& view, const SurfaceArrays& arrays)
 {
-    const Body& body = simulation.body();
-    const State& state = simulation.state();
-    const std::vector<Vec3> unscaled = simulation.surface_positions();
-    const std::vector<Vec3> x = scaled(unscaled, scale.length);
-    const SurfaceMeasures now = measure_surface(x, body.cloud.surface_triangles);
-    const double area_0 = surface_area(body.surface.vertices, body.surface.triangles);
-    const double volume_0 = enclosed_volume(body.surface.vertices, body.surface.triangles);
+    const Simulation& simulation = view.simulation;
+    const Model& model = view.model();
+    const State& state = view.state();
+    const PhysicalScale& scale = view.scale;
+    const std::vector<Vec3>& x = view.surface;
+    const SurfaceMeasures now = measure_surface(x, model.cloud.surface_triangles);
+    const double area_0 = surface_area(model.surface.vertices, model.surface.triangles);
+    const double volume_0 = enclosed_volume(model.surface.vertices, model.surface.triangles);
     const Overlap overlap =
-        measure_overlap(x, body.cloud.surface_triangles, probe_in_spacings * body.cloud.spacing * scale.length);
+        measure_overlap(x, model.cloud.surface_triangles, probe_in_spacings * model.cloud.spacing * scale.length);
 
-    const ReferenceFolds waves = reference_folds(simulation);
+    const ReferenceFolds waves = reference_folds(view);
 
-    Measures m{now, measure_folds(x, body.cloud.surface_triangles, arrays.folds, fold_options(body, scale)), {}};
+    Measures m{now, measure_folds(x, model.cloud.surface_triangles, arrays.folds, fold_options(view)), {}};
     m.t = state.t;
     m.week = scale.week;
     m.length_scale = scale.length;
@@ -154,18 +159,19 @@ Measures measure(const Simulation& simulation, std::span<const Mat3> F, const Su
     m.rejected_steps = static_cast<double>(state.rejected_steps);
     m.area_ratio = now.area_mm2 / (area_0 * std::pow(scale.length, 2));
     m.volume_ratio = now.volume_mm3 / (volume_0 * std::pow(scale.length, 3));
-    m.thickness_mean_mm = area_mean(arrays.thickness, vertex_areas(x, body.cloud.surface_triangles));
+    m.thickness_mean_mm = area_mean(arrays.thickness, vertex_areas(x, model.cloud.surface_triangles));
     m.fold_wavelength_reference_mm = waves.wavelength_mm;
     m.fold_degree = waves.degree;
-    set_volume_ratios(body, F, m);
-    set_energies(simulation, F, m);
+    set_volume_ratios(model, view.F, m);
+    set_energies(simulation, view.F, m);
     m.overlap_area_share = overlap.area_share;
     m.max_penetration_mm = overlap.deepest_penetration;
     m.barrier_particles = static_cast<double>(simulation.internal().barrier_count);
     m.extrapolated_elements = static_cast<double>(simulation.internal().extrapolated_count);
     m.inverted_elements = static_cast<double>(simulation.internal().inverted_count);
     m.contact_pairs = static_cast<double>(simulation.contact().active);
-    m.intersecting_triangles = static_cast<double>(intersecting_triangles({unscaled, body.cloud.surface_triangles}));
+    m.intersecting_triangles =
+        static_cast<double>(intersecting_triangles({view.as_folded, model.cloud.surface_triangles}));
     m.contact_limited_share =
         static_cast<double>(state.travel_taken.vertex_steps) /
         (static_cast<double>(std::max<std::int64_t>(state.steps, 1)) * static_cast<double>(x.size()));

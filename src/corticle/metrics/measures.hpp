@@ -57,9 +57,8 @@ struct MeasureColumn
 };
 std::span<const MeasureColumn> measure_columns();
 
-/// @param scale  physical_scale(simulation), with which `arrays` was made
-Measures measure(const Simulation& simulation, std::span<const Mat3> F, const SurfaceArrays& arrays,
-                 const PhysicalScale& scale);
+/// @param arrays  those of the same view
+Measures measure(const OutputView& view, const SurfaceArrays& arrays);
 
 /// measures.csv of the rows: header with units, one line each, 17 significant digits.
 std::string measures_csv(std::span<const Measures> rows);

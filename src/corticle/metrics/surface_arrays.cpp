@@ -17,19 +17,21 @@ constexpr double least_wave_per_spacing = 0.01; ///< amplitude below which a sur
 
 /// Where theta is 1/2 below each surface vertex, in the reference configuration [mm]: at the depth H(t)/s(t) along the
 /// normal, or on the similar ellipsoid of eq. 24.
-std::vector<Vec3> cortex_boundary(const Body& body, double t)
+std::vector<Vec3> cortex_boundary(const Simulation& simulation)
 {
-    const TissueOptions& tissue = body.tissue.options;
-    const bool similar = tissue.layer == Layer::binary && tissue.lambda > 0.0;
-    const double scale = body.tissue.size.scale(t);
+    const Model& model = simulation.model();
+    const TissueOptions& tissue = simulation.options().tissue;
+    const double t = simulation.state().t;
+    const bool similar = !model.tissue.given_theta.empty();
+    const double scale = cortex_size(simulation.options()).scale(t);
     std::vector<Vec3> boundary;
-    boundary.reserve(body.surface.vertices.size());
-    for (std::size_t v = 0; v < body.surface.vertices.size(); ++v)
+    boundary.reserve(model.surface.vertices.size());
+    for (std::size_t v = 0; v < model.surface.vertices.size(); ++v)
     {
-        const Vec3 X = body.surface.vertices[v];
-        const auto particle = static_cast<std::size_t>(body.cloud.surface_particles[v]);
-        const double thickness = body.tissue.thickness_at(particle, t) / scale;
-        boundary.push_back(similar ? std::sqrt(tissue.lambda) * X : X - thickness * body.tissue.normal[particle]);
+        const Vec3 X = model.surface.vertices[v];
+        const auto particle = static_cast<std::size_t>(model.cloud.surface_particles[v]);
+        const double thickness = thickness_at(model.tissue, tissue, particle, t) / scale;
+        boundary.push_back(similar ? std::sqrt(tissue.lambda) * X : X - thickness * model.tissue.normal[particle]);
     }
     return boundary;
 }
@@ -76,43 +78,42 @@ int dominant_degree_of(std::span<const Vec3> X, std::span<const Vec3> x, std::sp
 
 } // namespace
 
-FoldOptions fold_options(const Body& body, const PhysicalScale& scale)
+FoldOptions fold_options(const OutputView& view)
 {
     FoldOptions options;
-    options.midplane = mid_sagittal_plane(scaled(body.surface.vertices, scale.length));
+    options.midplane = mid_sagittal_plane(scaled(view.model().surface.vertices, view.scale.length));
     return options;
 }
 
-SurfaceArrays surface_arrays(const Simulation& simulation, std::span<const Mat3> F, const PhysicalScale& scale)
+SurfaceArrays surface_arrays(const OutputView& view)
 {
-    const Body& body = simulation.body();
-    const std::vector<Vec3> x = scaled(simulation.surface_positions(), scale.length);
-    const CarriedCloud cloud{body.cloud.positions, simulation.state().motion.x, F, body.cloud.spacing};
+    const Cloud& cloud = view.model().cloud;
+    const CarriedCloud carried{cloud.positions, view.state().motion.x, view.F, cloud.spacing};
     const std::vector<Vec3> inner =
-        scaled(carried_points(cloud, cortex_boundary(body, simulation.state().t)), scale.length);
-    return {fold_fields(x, body.cloud.surface_triangles, fold_options(body, scale)),
-            cortical_thickness(x, inner, body.cloud.surface_triangles)};
+        scaled(carried_points(carried, cortex_boundary(view.simulation)), view.scale.length);
+    return {fold_fields(view.surface, view.triangles(), fold_options(view)),
+            cortical_thickness(view.surface, inner, view.triangles())};
 }
 
-ReferenceFolds reference_folds(const Simulation& simulation)
+ReferenceFolds reference_folds(const OutputView& view)
 {
-    const Body& body = simulation.body();
-    const std::vector<Vec3>& X = body.surface.vertices;
-    const std::vector<Vec3> x = simulation.surface_positions();
-    const std::vector<Vec3> normals = vertex_normals(X, body.surface.triangles);
-    const std::vector<double> areas = vertex_areas(X, body.surface.triangles);
+    const Model& model = view.model();
+    const std::vector<Vec3>& X = model.surface.vertices;
+    const std::vector<Vec3>& x = view.as_folded;
+    const std::vector<Vec3> normals = vertex_normals(X, model.surface.triangles);
+    const std::vector<double> areas = vertex_areas(X, model.surface.triangles);
     std::vector<double> displacement(X.size());
     for (std::size_t v = 0; v < X.size(); ++v)
     {
         displacement[v] = dot(x[v] - X[v], normals[v]);
     }
-    const double least = least_wave_per_spacing * body.cloud.spacing;
+    const double least = least_wave_per_spacing * model.cloud.spacing;
     if (mean_square_about_mean(displacement, areas) < least * least)
     {
         return {};
     }
-    const auto spectrum = laplace_beltrami_spectrum(X, body.surface.triangles, displacement);
-    return {dominant_wavelength(spectrum, fold_band(X, body.surface.triangles)),
+    const auto spectrum = laplace_beltrami_spectrum(X, model.surface.triangles, displacement);
+    return {dominant_wavelength(spectrum, fold_band(X, model.surface.triangles)),
             static_cast<double>(dominant_degree_of(X, x, areas))};
 }
 

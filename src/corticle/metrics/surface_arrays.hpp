@@ -2,7 +2,7 @@
 #pragma once
 
 #include "corticle/metrics/fold_measures.hpp"
-#include "corticle/model/physical_scale.hpp"
+#include "corticle/model/output_view.hpp"
 
 namespace corticle
 {
@@ -14,10 +14,10 @@ struct SurfaceArrays
     std::vector<double> thickness; ///< of the cortex [mm]
 };
 
-SurfaceArrays surface_arrays(const Simulation& simulation, std::span<const Mat3> F, const PhysicalScale& scale);
+SurfaceArrays surface_arrays(const OutputView& view);
 
 /// Folds are measured about the mid-plane of the reference surface.
-FoldOptions fold_options(const Body& body, const PhysicalScale& scale);
+FoldOptions fold_options(const OutputView& view);
 
 /// Folds as a displacement of the reference surface, in mm of the body as it was given.
 struct ReferenceFolds
@@ -27,6 +27,6 @@ struct ReferenceFolds
                                 ///< folds, or the reference surface is no sphere
 };
 
-ReferenceFolds reference_folds(const Simulation& simulation);
+ReferenceFolds reference_folds(const OutputView& view);
 
 } // namespace corticle

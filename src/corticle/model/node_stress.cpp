@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/model/node_stress.hpp"
 
-#include "corticle/material/growth.hpp"
 #include "corticle/material/neo_hookean.hpp"
+#include "corticle/material/response.hpp"
 
 namespace corticle
 {
@@ -20,14 +20,15 @@ bool multiplies_growth(const SimulationOptions& options)
 
 Mat3 cauchy_stress_at(const Simulation& simulation, std::size_t node, const Mat3& F)
 {
-    const Tissue& tissue = simulation.body().tissue;
-    const MaterialPoint point = tissue.point(node, simulation.state().t);
-    const Vec3 n = tissue.growth_normal(node, F);
-    const Mat3 F_e = F * (multiplies_growth(simulation.options())
-                              ? inverse_growth_tensor(1.0 / point.growth, n, 1.0 / point.radial_growth)
-                              : inverse_growth_tensor(point.growth, n, point.radial_growth));
-    const NeoHookean law{point.shear_modulus, point.bulk_modulus, tissue.options.barrier_J};
-    return cauchy_stress(law.respond(F_e).stress, F_e);
+    const Tissue tissue = simulation.tissue();
+    MaterialPoint point = tissue.point(node, simulation.state().t);
+    if (multiplies_growth(simulation.options()))
+    {
+        point.growth = 1.0 / point.growth;
+        point.radial_growth = 1.0 / point.radial_growth;
+    }
+    const NeoHookean law{tissue.options.barrier_J};
+    return cauchy_stress(respond(law, point, tissue.growth_normal(node, F), F).P, F);
 }
 
 } // namespace corticle

@@ -44,4 +44,14 @@ struct SimulationOptions
     SizeOptions size;
 };
 
+/// Times of growth closer than this are the same output time.
+inline constexpr double same_output_time = 1e-9;
+
+/// The size by which the cortex thins, if it does.
+inline ReferenceSize cortex_size(const SimulationOptions& options)
+{
+    return {options.time.clock, options.size.thin_cortex ? options.size.law : LengthLaw::none,
+            options.time.start_week.value_or(0.0)};
+}
+
 } // namespace corticle

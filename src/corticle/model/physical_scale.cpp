@@ -19,7 +19,7 @@ double extent(std::span<const Vec3> positions, int axis)
 /// Length of the body now over its length at the start, along the axis in which it was longest.
 double lengthening(const Simulation& simulation)
 {
-    const std::vector<Vec3>& X = simulation.body().surface.vertices;
+    const std::vector<Vec3>& X = simulation.model().surface.vertices;
     int longest = 0;
     for (int axis = 1; axis < 3; ++axis)
     {

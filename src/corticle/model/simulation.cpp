@@ -5,7 +5,7 @@
 #include "corticle/base/parallel.hpp"
 #include "corticle/base/stopwatch.hpp"
 #include "corticle/mesh/triangle_mesh.hpp"
-#include "corticle/model/discretization.hpp"
+#include "corticle/model/terms.hpp"
 
 #include <fmt/format.h>
 
@@ -21,7 +21,6 @@ namespace
 
 constexpr std::int64_t onset_interval = 10; ///< steps between looks at the sphere index
 constexpr double onset_rise = 0.01;
-constexpr double rounding = 1e-12;     ///< of t: a remainder this small is no step of its own
 constexpr double step_recovery = 1.05; ///< factor by which a halved step grows back, per step
 // A step of this share of that at rest makes a run of minutes one of weeks; steps of sound folds stay above a
 // twentieth.
@@ -39,10 +38,10 @@ std::vector<T> gather(const std::vector<T>& values, std::span<const std::int32_t
     return result;
 }
 
-double loading_time(const Body& body, const SimulationOptions& options)
+double loading_time(const Model& model, const SimulationOptions& options)
 {
     double volume = 0.0;
-    for (const double V : body.cloud.volumes)
+    for (const double V : model.cloud.volumes)
     {
         volume += V;
     }
@@ -50,230 +49,212 @@ double loading_time(const Body& body, const SimulationOptions& options)
     return options.dynamics.loading_time * radius / wave_speed(options.tissue);
 }
 
-std::vector<std::int32_t> sorted(std::vector<std::int32_t> numbers)
+/// The body at rest as its growth begins.
+State starting_state(const Model& model, const SimulationOptions& options)
 {
-    std::ranges::sort(numbers);
-    return numbers;
-}
-
-/// Contact of the body's surface, whose vertices are numbered as in `particles`.
-SurfaceContact contact_of(const Body& body, std::span<const std::int32_t> particles, const std::vector<double>& masses,
-                          const TissueOptions& tissue, const ContactOptions& options)
-{
-    const auto vertex_of = [&](std::int32_t vertex)
+    const ReferenceSize size = cortex_size(options);
+    State state;
+    state.t = options.time.start;
+    state.motion.x = model.cloud.positions;
+    state.motion.v.resize(model.cloud.positions.size());
+    state.nodes = start_tissue(model.tissue, options.tissue, size, state.t);
+    if (model.fem)
     {
-        const std::int32_t particle = body.cloud.surface_particles[static_cast<std::size_t>(vertex)];
-        return static_cast<std::int32_t>(std::ranges::lower_bound(particles, particle) - particles.begin());
-    };
-    std::vector<Triangle> triangles;
-    triangles.reserve(body.cloud.surface_triangles.size());
-    for (const auto& [a, b, c] : body.cloud.surface_triangles)
-    {
-        triangles.push_back({vertex_of(a), vertex_of(b), vertex_of(c)});
+        state.elements = start_tissue(model.fem->tissue, options.tissue, size, state.t);
     }
-    std::vector<Vec3> rest(particles.size());
-    for (std::int32_t vertex = 0; vertex < std::ssize(rest); ++vertex)
-    {
-        rest[static_cast<std::size_t>(vertex_of(vertex))] = body.surface.vertices[static_cast<std::size_t>(vertex)];
-    }
-    const double frequency = wave_speed(tissue) / body.cloud.spacing;
-    return {triangles, rest, gather(masses, particles), body.cloud.spacing, frequency, options};
+    return state;
 }
 
 } // namespace
 
-Simulation::Simulation(Body& body, const SimulationOptions& options)
-    : body_(body), options_(options), solver_(make_discretization(body, options)), mass_(body.cloud.volumes),
-      contact_particles_(sorted(body.cloud.surface_particles)),
-      contact_(contact_of(body, contact_particles_, mass_, options.tissue, options.contact)),
-      total_time_(loading_time(body, options)), damping_(options.dynamics.damping / total_time_),
-      rest_dt_(options.dynamics.time_step > 0.0
-                   ? options.dynamics.time_step * total_time_
-                   : critical_step(options.dynamics.cfl, body.cloud.spacing, wave_speed(options.tissue))),
-      loading_(options.dynamics, options.tissue, options.time.start)
+Simulation::Simulation(std::shared_ptr<const Model> model, SimulationOptions options)
+    : model_(std::move(model)), options_(std::make_unique<const SimulationOptions>(std::move(options))),
+      state_(std::make_unique<State>(starting_state(*model_, *options_))), terms_(make_terms(*model_, *options_)),
+      mass_(model_->cloud.volumes), total_time_(loading_time(*model_, *options_)),
+      damping_(options_->dynamics.damping / total_time_),
+      rest_dt_(options_->dynamics.time_step > 0.0
+                   ? options_->dynamics.time_step * total_time_
+                   : critical_step(options_->dynamics.cfl, model_->cloud.spacing, wave_speed(options_->tissue))),
+      loading_(options_->dynamics, options_->tissue, options_->time.start)
 {
-    State start;
-    start.t = options.time.start;
-    start.motion.x = body.cloud.positions;
-    start.motion.v.resize(mass_.size());
-    start.motion.force.resize(mass_.size());
-    restore(std::move(start));
+    auto tissue = std::make_unique<TissueTerm>(make_discretization(*model_, *options_, *state_), model_->cloud.spacing,
+                                               options_->dynamics.time_step * total_time_);
+    tissue_ = tissue.get();
+    terms_.insert(terms_.begin(), std::move(tissue));
+    for (const auto& term : terms_)
+    {
+        contact_ = contact_ != nullptr ? contact_ : dynamic_cast<const ContactTerm*>(term.get());
+    }
+    start();
+}
+
+void Simulation::add_term(std::unique_ptr<ForceTerm> term)
+{
+    terms_.push_back(std::move(term));
+    start();
 }
 
 void Simulation::restore(State state)
 {
-    state_ = std::move(state);
-    state_.motion.force.resize(mass_.size());
-    proposed_ = state_.motion;
-    if (!evaluate(state_.motion, state_.t))
+    const std::size_t nodes = mass_.size();
+    if (state.motion.x.size() != nodes || state.motion.v.size() != nodes)
     {
-        give_up(state_.motion, state_.t, 0.0);
+        throw InputError(fmt::format("the state to start from has {} positions and {} velocities; expected {}, one of "
+                                     "each for every node of the body",
+                                     state.motion.x.size(), state.motion.v.size(), nodes));
     }
+    // How the tissue began follows from the case; where it is now from t.
+    state.nodes = std::move(state_->nodes);
+    state.elements = std::move(state_->elements);
+    *state_ = std::move(state);
+    start();
 }
 
-std::vector<Vec3> Simulation::surface_positions() const
+/// Takes in the present state and the list of terms.
+void Simulation::start()
 {
-    return gather(state_.motion.x, body_.cloud.surface_particles);
-}
-
-Vec3 Simulation::place_of_smallest_J() const
-{
-    const std::vector<Vec3>& x = state_.motion.x;
-    const auto at = static_cast<std::size_t>(std::max<std::int64_t>(internal_.smallest_J_at, 0));
-    return body_.fem ? centroids(x, std::span(body_.fem->elements.tets).subspan(at, 1)).front() : x[at];
-}
-
-InternalResponse Simulation::internal_forces(Motion& motion, double t)
-{
-    const Stopwatch watch(seconds_.internal_forces);
-    return solver_->evaluate(motion.x, t, motion.force);
-}
-
-void Simulation::add_contact(Motion& motion)
-{
-    const Stopwatch watch(seconds_.contact);
-    const std::vector<std::int32_t>& particles = contact_particles_;
-    contact_x_.resize(particles.size());
-    contact_force_.resize(particles.size());
-    parallel_runs(each(std::ssize(particles),
-                       [&](std::int64_t k)
-                       {
-                           contact_x_[k] = motion.x[particles[k]];
-                           contact_force_[k] = {};
-                       }));
-    contact_response_ = contact_.evaluate(contact_x_, contact_force_);
-    parallel_runs(
-        each(std::ssize(particles), [&](std::int64_t k) { motion.force[particles[k]] += contact_force_[k]; }));
-    if (options_.dynamics.time_step <= 0.0)
+    seconds_.resize(terms_.size());
+    stable_steps_.resize(terms_.size());
+    state_->motion.force.resize(mass_.size());
+    trial_ = state_->motion;
+    if (!evaluate(state_->motion, state_->t, 0.0))
     {
-        critical_dt_ = std::min(critical_dt_, contact_step(options_.dynamics.cfl, contact_response_.largest_rate));
+        give_up(state_->motion, state_->t, 0.0);
     }
-}
-
-/// Shortens the step just proposed where the surface would come too close to itself.
-TravelTaken Simulation::hold_apart(double dt)
-{
-    const Stopwatch watch(seconds_.contact);
-    const std::vector<std::int32_t>& particles = contact_particles_;
-    displacement_.resize(particles.size());
-    parallel_runs(
-        each(std::ssize(particles), [&](std::int64_t k) { displacement_[k] = dt * proposed_.v[particles[k]]; }));
-    TravelTaken taken;
-    for (const std::int32_t vertex : contact_.hold_apart(displacement_))
-    {
-        const std::int32_t i = particles[static_cast<std::size_t>(vertex)];
-        const Vec3 displacement = displacement_[static_cast<std::size_t>(vertex)];
-        const Vec3 velocity = displacement / dt;
-        taken.energy += 0.5 * mass_[i] * (squared_norm(proposed_.v[i]) - squared_norm(velocity));
-        ++taken.vertex_steps;
-        proposed_.v[i] = velocity;
-        proposed_.x[i] = state_.motion.x[i] + displacement;
-    }
-    return taken;
-}
-
-/// Forces, energies and limits at a motion's positions; false when the positions are invalid.
-bool Simulation::evaluate(Motion& motion, double t)
-{
-    if (!body_.tissue.theta_is_fixed)
-    {
-        set_layer(body_, t);
-    }
-    const InternalResponse internal = internal_forces(motion, t);
-    if (internal.invalid_at >= 0)
-    {
-        internal_.invalid_at = internal.invalid_at;
-        return false;
-    }
-    internal_ = internal;
-    viscous_power_ = solver_->add_viscous_forces(motion.x, motion.v, motion.force);
-    critical_dt_ = options_.dynamics.time_step > 0.0
-                       ? options_.dynamics.time_step * total_time_
-                       : critical_step(options_.dynamics.cfl, body_.cloud.spacing, internal.stiffest_rate);
-    if (options_.contact.enabled)
-    {
-        add_contact(motion);
-    }
-    return true;
-}
-
-/// Where a step from the present state to `t` leads; nothing where it inverts a particle on the way.
-std::optional<StepEnergies> Simulation::propose(double t, double dt)
-{
-    const double damping = damping_ / state_.loading_rate; // drag on what moves as growth does stays the same
-    if (options_.dynamics.integrator == Integrator::symplectic_euler)
-    {
-        StepEnergies energies = advance(state_.motion, mass_, dt, damping, proposed_);
-        const bool may_cross = options_.contact.enabled && !contact_.stays_apart(energies.longest);
-        travel_taken_ = may_cross ? hold_apart(dt) : TravelTaken{};
-        energies.kinetic -= travel_taken_.energy;
-        return energies;
-    }
-    const double start = state_.t;
-    return runge_kutta_.advance(
-        state_.motion, mass_, dt, damping,
-        [&](Motion& stage, double part) { return evaluate(stage, start + part * (t - start)); }, proposed_);
+    now_ = trial_sum_;
 }
 
 void Simulation::step(double t_stop)
 {
-    const double allowed = critical_dt_;
-    const double viscous_power = viscous_power_;
-    const double growth_power = internal_.growth_power;
     for (std::int64_t halvings = 0;; ++halvings)
     {
-        require_step(allowed * state_.step_scale);
-        const double full = allowed * state_.step_scale * state_.loading_rate / total_time_;
-        const double t = t_stop - state_.t <= full * (1.0 + rounding) ? t_stop : state_.t + full;
-        const double dt = (t - state_.t) * total_time_ / state_.loading_rate;
-        const std::optional<StepEnergies> energies = propose(t, dt);
-        if (energies && evaluate(proposed_, t))
+        const double stable = now_.stable_step * state_->step_scale;
+        require_step(stable);
+        const StepPlan plan = plan_step(state_->t, t_stop, stable, state_->loading_rate, total_time_);
+        const std::optional<StepEnergies> energies = advance(plan);
+        if (energies && evaluate(trial_, plan.t, plan.dt))
         {
-            std::swap(state_.motion, proposed_);
-            state_.books.growth_work += 0.5 * (growth_power + internal_.growth_power) * (t - state_.t);
-            state_.books.dissipated +=
-                energies->damped + travel_taken_.energy + 0.5 * (viscous_power + viscous_power_) * dt;
-            state_.travel_taken.energy += travel_taken_.energy;
-            state_.travel_taken.vertex_steps += travel_taken_.vertex_steps;
-            state_.kinetic_energy = energies->kinetic;
-            state_.loading_rate = loading_.next({state_.loading_rate, t, t - state_.t, state_.onset_t >= 0.0,
-                                                 state_.kinetic_energy, internal_.elastic_energy});
-            state_.t = t;
-            ++state_.steps;
-            state_.step_scale = std::min(1.0, state_.step_scale * step_recovery);
-            note_onset();
-            return;
+            return commit(plan, *energies);
         }
-        if (halvings == options_.dynamics.max_halvings)
+        if (halvings == options_->dynamics.max_halvings)
         {
-            give_up(proposed_, t, dt);
+            give_up(trial_, plan.t, plan.dt);
         }
-        state_.step_scale *= 0.5;
-        ++state_.rejected_steps;
+        state_->step_scale *= 0.5;
+        ++state_->rejected_steps;
     }
+}
+
+/// Where a step from the present state leads; nothing where it inverts a particle on the way.
+std::optional<StepEnergies> Simulation::advance(const StepPlan& plan)
+{
+    const double damping = damping_ / state_->loading_rate; // drag on what moves as growth does stays the same
+    if (options_->dynamics.integrator == Integrator::symplectic_euler)
+    {
+        StepEnergies energies = corticle::advance(state_->motion, mass_, plan.dt, damping, trial_);
+        trial_travel_ = limit_travel(plan, energies.longest);
+        energies.kinetic -= trial_travel_.energy;
+        return energies;
+    }
+    return runge_kutta_.advance(
+        state_->motion, mass_, plan.dt, damping,
+        [&](Motion& stage, double part)
+        { return evaluate(stage, plan.t_before + part * (plan.t - plan.t_before), part * plan.dt); },
+        trial_);
+}
+
+TravelTaken Simulation::limit_travel(const StepPlan& plan, double longest)
+{
+    TravelTaken taken;
+    for (std::size_t k = 0; k < terms_.size(); ++k)
+    {
+        const Stopwatch watch(seconds_[k]);
+        taken += terms_[k]->limit_travel(state_->motion, plan.dt, longest, trial_);
+    }
+    return taken;
+}
+
+/// Forces, energies and limits of all terms at a motion's positions; false when the positions are invalid.
+/// @param dt  time from the present state to there
+bool Simulation::evaluate(Motion& motion, double t, double dt)
+{
+    move_layer(t);
+    const StepContext context{t, state_->t, dt, options_->dynamics.cfl, motion.x, motion.v, state_->history};
+    trial_sum_ = {};
+    for (std::size_t k = 0; k < terms_.size() && trial_sum_.invalid_at < 0; ++k)
+    {
+        const Stopwatch watch(seconds_[k]);
+        const Contribution contribution = terms_[k]->add(context, motion.force);
+        stable_steps_[k] = contribution.stable_step;
+        trial_sum_ += contribution;
+    }
+    return trial_sum_.invalid_at < 0;
+}
+
+/// theta at growth time t, at the nodes and in the elements.
+void Simulation::move_layer(double t)
+{
+    const ReferenceSize size = cortex_size(*options_);
+    if (layer_moves(model_->tissue, options_->tissue, size))
+    {
+        set_layer(model_->tissue, options_->tissue, size, t, state_->nodes);
+        if (model_->fem)
+        {
+            set_layer(model_->fem->tissue, options_->tissue, size, t, state_->elements);
+        }
+    }
+}
+
+/// Makes the step that was tried the present state.
+void Simulation::commit(const StepPlan& plan, const StepEnergies& energies)
+{
+    const StepContext context{plan.t,   plan.t_before, plan.dt,        options_->dynamics.cfl,
+                              trial_.x, trial_.v,      state_->history};
+    for (const auto& term : terms_)
+    {
+        term->accept(context, state_->history);
+    }
+    std::swap(state_->motion, trial_);
+    const double growth_step = plan.t - plan.t_before;
+    state_->books.growth_work += 0.5 * (now_.growth_power + trial_sum_.growth_power) * growth_step;
+    state_->books.dissipated +=
+        energies.damped + trial_travel_.energy + 0.5 * (now_.viscous_power + trial_sum_.viscous_power) * plan.dt;
+    now_ = trial_sum_;
+    state_->travel_taken += trial_travel_;
+    state_->kinetic_energy = energies.kinetic;
+    state_->loading_rate = loading_.next({state_->loading_rate, plan.t, growth_step, state_->onset_t >= 0.0,
+                                          state_->kinetic_energy, now_.elastic_energy});
+    state_->t = plan.t;
+    ++state_->steps;
+    state_->step_scale = std::min(1.0, state_->step_scale * step_recovery);
+    note_onset();
 }
 
 void Simulation::note_onset()
 {
-    if (state_.steps % onset_interval != 0 || state_.onset_t >= 0.0)
+    if (state_->steps % onset_interval != 0 || state_->onset_t >= 0.0)
     {
         return;
     }
     const std::vector<Vec3> x = surface_positions();
-    const double gi =
-        sphere_index(surface_area(x, body_.cloud.surface_triangles), enclosed_volume(x, body_.cloud.surface_triangles));
-    state_.lowest_gi_sphere = std::min(state_.lowest_gi_sphere, gi);
-    if (gi > state_.lowest_gi_sphere + onset_rise)
+    const double gi = sphere_index(surface_area(x, model_->cloud.surface_triangles),
+                                   enclosed_volume(x, model_->cloud.surface_triangles));
+    state_->lowest_gi_sphere = std::min(state_->lowest_gi_sphere, gi);
+    if (gi > state_->lowest_gi_sphere + onset_rise)
     {
-        state_.onset_t = state_.t;
+        state_->onset_t = state_->t;
     }
 }
 
 void Simulation::give_up(const Motion& motion, double t, double dt) const
 {
+    std::string diagnosis;
+    for (const auto& term : terms_)
+    {
+        diagnosis = diagnosis.empty() ? term->diagnosis(trial_sum_.invalid_at, motion.x) : diagnosis;
+    }
     throw RunError(fmt::format("inverted at step {}, t = {:.6g}, after {} halvings of the step (dt/T = {:.3g}): {}",
-                               state_.steps + 1, t, options_.dynamics.max_halvings, dt / total_time_,
-                               solver_->diagnosis(internal_.invalid_at, motion.x)));
+                               state_->steps + 1, t, options_->dynamics.max_halvings, dt / total_time_, diagnosis));
 }
 
 /// Refuses a step so small that the run would not end: a crushed particle, or steps taken back again and again.
@@ -283,13 +264,54 @@ void Simulation::require_step(double dt) const
     {
         return;
     }
-    const std::int64_t at = std::max<std::int64_t>(internal_.smallest_J_at, 0);
-    const std::int64_t node = body_.fem ? body_.fem->elements.tets[static_cast<std::size_t>(at)][0] : at;
     throw RunError(fmt::format("the step has collapsed at step {}, t = {:.6g}: dt/T = {:.3g}, at rest {:.3g}; {} steps "
-                               "taken back so far, the next one {:.3g} of what the stiffness allows; most compressed: "
-                               "{}",
-                               state_.steps + 1, state_.t, dt / total_time_, rest_dt_ / total_time_,
-                               state_.rejected_steps, state_.step_scale, solver_->diagnosis(node, state_.motion.x)));
+                               "taken back so far, the next one {:.3g} of what the stiffness allows; {}",
+                               state_->steps + 1, state_->t, dt / total_time_, rest_dt_ / total_time_,
+                               state_->rejected_steps, state_->step_scale, cause_of_short_step()));
+}
+
+/// In words of the term without which the step would be long enough; of the tissue where there is none.
+std::string Simulation::cause_of_short_step() const
+{
+    const std::vector<Vec3>& x = state_->motion.x;
+    const auto shortest = static_cast<std::size_t>(std::ranges::min_element(stable_steps_) - stable_steps_.begin());
+    double others = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < terms_.size(); ++k)
+    {
+        others = k == shortest ? others : std::min(others, stable_steps_[k]);
+    }
+    const bool others_would_do = others * state_->step_scale >= least_step_share * rest_dt_;
+    return terms_[others_would_do ? shortest : 0]->cause_of_short_step(x);
+}
+
+std::vector<NamedEnergy> Simulation::energies() const
+{
+    std::vector<NamedEnergy> all;
+    for (const auto& term : terms_)
+    {
+        std::ranges::copy(term->energies(), std::back_inserter(all));
+    }
+    return all;
+}
+
+double Simulation::seconds_of(std::string_view term) const
+{
+    double sum = 0.0;
+    for (std::size_t k = 0; k < terms_.size(); ++k)
+    {
+        sum += terms_[k]->name() == term ? seconds_[k] : 0.0;
+    }
+    return sum;
+}
+
+std::vector<Vec3> Simulation::surface_positions() const
+{
+    return gather(state_->motion.x, model_->cloud.surface_particles);
+}
+
+Vec3 Simulation::place_of_smallest_J() const
+{
+    return tissue_->method().place_of(std::max<std::int64_t>(internal().smallest_J_at, 0), state_->motion.x);
 }
 
 } // namespace corticle

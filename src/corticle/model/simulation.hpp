@@ -3,9 +3,10 @@
 
 #include "corticle/dynamics/loading.hpp"
 #include "corticle/dynamics/runge_kutta.hpp"
-#include "corticle/mechanics/contact/surface_contact.hpp"
-#include "corticle/mechanics/discretization.hpp"
-#include "corticle/model/body.hpp"
+#include "corticle/dynamics/step_plan.hpp"
+#include "corticle/mechanics/contact/contact_term.hpp"
+#include "corticle/mechanics/tissue_term.hpp"
+#include "corticle/model/model.hpp"
 #include "corticle/model/options.hpp"
 #include "corticle/model/state.hpp"
 
@@ -15,22 +16,18 @@
 namespace corticle
 {
 
-/// What the parts of the steps took, wall time since the simulation was made [s].
-struct StepSeconds
-{
-    double internal_forces = 0.0;
-    double contact = 0.0; ///< search included
-};
-
-/// The loop: grow, F, stress, forces, contact, integrate. Steps follow the state; a step that inverts a particle is
-/// taken back and halved.
+/// The loop: grow, ask every force term, integrate. Steps follow the state; a step that inverts a particle is taken
+/// back and halved.
 class Simulation
 {
   public:
-    /// Keeps a reference to the body, whose tissue it advances.
-    Simulation(Body& body, const SimulationOptions& options);
+    /// Several simulations may share a model.
+    Simulation(std::shared_ptr<const Model> model, SimulationOptions options);
 
-    /// Starts from a state read from a checkpoint (positions, velocities, books).
+    /// One more force on the nodes, from the present state on.
+    void add_term(std::unique_ptr<ForceTerm> term);
+
+    /// Starts from a state read from a checkpoint. @throws InputError where it is that of another body
     void restore(State state);
 
     /// One accepted step, no farther than growth time `t_stop`.
@@ -38,54 +35,62 @@ class Simulation
     /// or when what the state allows has collapsed to next to nothing
     void step(double t_stop);
 
-    const State& state() const { return state_; }
-    const Body& body() const { return body_; }
-    const SimulationOptions& options() const { return options_; }
-    const InternalResponse& internal() const { return internal_; }
-    const ContactResponse& contact() const { return contact_response_; }
-    double contact_energy() const { return contact_.energy(); } ///< [mu_w mm³]
-    const StepSeconds& seconds() const { return seconds_; }
+    const Model& model() const { return *model_; }
+    const SimulationOptions& options() const { return *options_; }
+    const State& state() const { return *state_; }
+    /// The tissue at the nodes, now.
+    Tissue tissue() const { return {options_->tissue, model_->tissue, state_->nodes}; }
+    /// All forces, the tissue's first.
+    std::span<const std::unique_ptr<ForceTerm>> terms() const { return terms_; }
+    /// What all terms store now, by kind [mu_w mm³].
+    std::vector<NamedEnergy> energies() const;
+    const InternalResponse& internal() const { return tissue_->response(); }
+    ContactResponse contact() const { return contact_ != nullptr ? contact_->response() : ContactResponse{}; }
+    /// Wall time that a term has taken since the simulation was made [s]; 0 for a term there is none of.
+    double seconds_of(std::string_view term) const;
     double total_time() const { return total_time_; }
     /// Step the state allows now, in growth time [-].
-    double step_size() const { return critical_dt_ * state_.step_scale * state_.loading_rate / total_time_; }
+    double step_size() const { return now_.stable_step * state_->step_scale * state_->loading_rate / total_time_; }
 
-    std::vector<Mat3> deformation_gradients() const { return solver_->deformation_gradients(state_.motion.x); }
+    std::vector<Mat3> deformation_gradients() const
+    {
+        return tissue_->method().deformation_gradients(state_->motion.x);
+    }
     std::vector<Vec3> surface_positions() const;
     /// Where the particle or tet with the smallest J is now [mm].
     Vec3 place_of_smallest_J() const;
 
   private:
-    InternalResponse internal_forces(Motion& motion, double t);
-    void add_contact(Motion& motion);
-    TravelTaken hold_apart(double dt);
-    bool evaluate(Motion& motion, double t);
-    std::optional<StepEnergies> propose(double t, double dt);
+    void start();
+    void move_layer(double t);
+    bool evaluate(Motion& motion, double t, double dt);
+    std::optional<StepEnergies> advance(const StepPlan& plan);
+    TravelTaken limit_travel(const StepPlan& plan, double longest);
+    void commit(const StepPlan& plan, const StepEnergies& energies);
     void note_onset();
-    [[noreturn]] void give_up(const Motion& motion, double t, double dt) const;
     void require_step(double dt) const;
+    [[noreturn]] void give_up(const Motion& motion, double t, double dt) const;
+    std::string cause_of_short_step() const;
 
-    Body& body_;
-    const SimulationOptions& options_;
-    std::unique_ptr<Discretization> solver_;
-    std::vector<double> mass_;                    ///< density 1 [mm³]
-    std::vector<std::int32_t> contact_particles_; ///< of the surface, ascending: neighbours stand near each other
-    SurfaceContact contact_;
-    double total_time_; ///< T, time of t = 0..1
-    double damping_;    ///< gamma
-    double rest_dt_;    ///< the step that the body allows at rest
+    // Behind pointers, so that what refers to them outlives a move of the simulation.
+    std::shared_ptr<const Model> model_;
+    std::unique_ptr<const SimulationOptions> options_;
+    std::unique_ptr<State> state_;
+    std::vector<std::unique_ptr<ForceTerm>> terms_;
+    const TissueTerm* tissue_ = nullptr;   ///< the first of them
+    const ContactTerm* contact_ = nullptr; ///< or none
+    std::vector<double> seconds_;          ///< of each term
+    std::vector<double> stable_steps_;     ///< of each term at the last evaluation
+    const std::vector<double>& mass_;      ///< density 1 [mm³]
+    double total_time_;                    ///< T, time of t = 0..1
+    double damping_;                       ///< gamma
+    double rest_dt_;                       ///< the step that the body allows at rest
     Loading loading_;
-    State state_;
-    Motion proposed_;
-    InternalResponse internal_;
-    ContactResponse contact_response_;
-    double viscous_power_ = 0.0; ///< of the discretisation's viscosity
     RungeKutta4 runge_kutta_;
-    double critical_dt_ = 0.0;
-    std::vector<Vec3> contact_x_;
-    std::vector<Vec3> contact_force_;
-    std::vector<Vec3> displacement_; ///< of the vertices of the surface in the step [mm]
-    TravelTaken travel_taken_;       ///< by the step proposed last
-    StepSeconds seconds_;
+    Motion trial_;
+    TravelTaken trial_travel_; ///< taken from the step that is tried
+    Contribution now_;         ///< of all terms, at the present state
+    Contribution trial_sum_;   ///< the same of the step that is tried
 };
 
 } // namespace corticle

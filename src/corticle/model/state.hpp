@@ -2,6 +2,8 @@
 #pragma once
 
 #include "corticle/dynamics/integrator.hpp"
+#include "corticle/material/tissue.hpp"
+#include "corticle/mechanics/force_term.hpp"
 
 #include <cstdint>
 
@@ -15,18 +17,13 @@ struct EnergyBooks
     double dissipated = 0.0;  ///< taken by damping and by the travel limit of contact
 };
 
-/// What the travel limit of contact took from the motion.
-struct TravelTaken
-{
-    double energy = 0.0;           ///< kinetic [mu_w mm³]
-    std::int64_t vertex_steps = 0; ///< displacements it changed
-};
-
-/// All that a checkpoint needs, besides the case: forces and step follow from it.
+/// All that changes as a run goes on. With the case a checkpoint of it is enough: forces, step and tissue follow.
 struct State
 {
     Motion motion;
-    double t = 0.0; ///< growth time [-]
+    TissueState nodes;    ///< the tissue at the nodes at t
+    TissueState elements; ///< at the elements, where there are any
+    double t = 0.0;       ///< growth time [-]
     std::int64_t steps = 0;
     std::int64_t rejected_steps = 0;
     double step_scale = 1.0;     ///< 1, or what rejections have left of it; grows back
@@ -34,6 +31,7 @@ struct State
     double kinetic_energy = 0.0; ///< [mu_w mm³]
     EnergyBooks books;
     TravelTaken travel_taken;        ///< in all steps so far
+    History history;                 ///< what terms carry from step to step
     double lowest_gi_sphere = 1e300; ///< lowest sphere index so far
     double onset_t = -1.0; ///< first t at which the sphere index stands 0.01 above its lowest; negative if not yet
 };

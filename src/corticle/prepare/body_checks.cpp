@@ -29,15 +29,15 @@ std::string_view unit_hint(const GeometryOptions& geometry)
     return is_nifti(geometry.file) ? "; are the voxel sizes of the image right?" : "; is geometry.unit right?";
 }
 
-void require_white_matter(const PreparationOptions& options, const Tissue& tissue)
+void require_white_matter(const PreparationOptions& options, const TissueFields& tissue)
 {
     const double t = options.time.start;
-    const double scale = tissue.size.scale(t);
-    double thinnest = tissue.thickness_at(0, t) / scale;
+    const double scale = cortex_size(options).scale(t);
+    double thinnest = thickness_at(tissue, options.tissue, 0, t) / scale;
     double deepest = 0.0;
     for (std::size_t i = 0; i < tissue.depth.size(); ++i)
     {
-        const double thickness = tissue.thickness_at(i, t) / scale;
+        const double thickness = thickness_at(tissue, options.tissue, i, t) / scale;
         if (tissue.depth[i] > thickness)
         {
             return;
@@ -51,20 +51,20 @@ void require_white_matter(const PreparationOptions& options, const Tissue& tissu
 }
 
 /// The thickness goes linearly with t: its smallest value is at the start or at the end.
-void require_thickness(const PreparationOptions& options, std::span<const Vec3> places, const Tissue& tissue)
+void require_thickness(const PreparationOptions& options, std::span<const Vec3> places, const TissueFields& tissue)
 {
     const std::vector<double>& map = tissue.thickness;
     const auto thinnest = map.empty() ? 0 : static_cast<std::size_t>(std::ranges::min_element(map) - map.begin());
     for (const double t : {options.time.start, options.time.end})
     {
-        const double thickness = tissue.thickness_at(thinnest, t);
+        const double thickness = thickness_at(tissue, options.tissue, thinnest, t);
         if (!(thickness > 0.0))
         {
             const Vec3& X = places[thinnest];
             throw InputError(fmt::format(
                 "tissue.thickness_rate_mm = {:g}: the cortex near ({:.4g}, {:.4g}, {:.4g}) mm, {:.4g} mm thick at t = "
                 "0{}, has {:.4g} mm at t = {:.4g}; expected more than 0 during the whole run",
-                options.tissue.thickness_rate_mm, X.x, X.y, X.z, tissue.thickness_at(thinnest, 0.0),
+                options.tissue.thickness_rate_mm, X.x, X.y, X.z, thickness_at(tissue, options.tissue, thinnest, 0.0),
                 options.map.thickness_file.empty() ? "" : " by map.thickness_file " + options.map.thickness_file,
                 thickness, t));
         }
@@ -73,15 +73,15 @@ void require_thickness(const PreparationOptions& options, std::span<const Vec3> 
 
 } // namespace
 
-void require_cortex(const PreparationOptions& options, std::span<const Vec3> places, const Tissue& tissue)
+void require_cortex(const PreparationOptions& options, std::span<const Vec3> places, const TissueFields& tissue)
 {
     require_thickness(options, places, tissue);
     require_white_matter(options, tissue);
 }
 
-std::string size_warning(const PreparationOptions& options, const Body& body)
+std::string size_warning(const PreparationOptions& options, const Model& model)
 {
-    const double volume = std::accumulate(body.cloud.volumes.begin(), body.cloud.volumes.end(), 0.0);
+    const double volume = std::accumulate(model.cloud.volumes.begin(), model.cloud.volumes.end(), 0.0);
     if (options.geometry.shape != Shape::file || (volume >= smallest_brain_mm3 && volume <= largest_brain_mm3))
     {
         return {};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/prepare/body.hpp"
+#include "corticle/prepare/prepare.hpp"
 
 namespace corticle
 {
@@ -9,9 +9,9 @@ namespace corticle
 /// Refuses a cortex that is the whole body at the start, and one whose thickness comes to 0 somewhere during the run.
 /// @param tissue  with options, size, depth and the thickness map, at `places`
 /// @throws InputError
-void require_cortex(const PreparationOptions& options, std::span<const Vec3> places, const Tissue& tissue);
+void require_cortex(const PreparationOptions& options, std::span<const Vec3> places, const TissueFields& tissue);
 
 /// A line where a body from a file is far smaller or larger than any brain; empty where it is not.
-std::string size_warning(const PreparationOptions& options, const Body& body);
+std::string size_warning(const PreparationOptions& options, const Model& model);
 
 } // namespace corticle

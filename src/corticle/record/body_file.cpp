@@ -57,7 +57,7 @@ std::vector<std::array<std::int32_t, size>> polygons_of(std::span<const std::int
 }
 
 /// @param prefix  "body." for the nodes, "body.tet_" for the elements
-void store_tissue(const Tissue& tissue, const std::string& prefix, Checkpoint& image)
+void store_tissue(const TissueFields& tissue, const std::string& prefix, Checkpoint& image)
 {
     image.vectors[prefix + "normal"] = tissue.normal;
     image.scalars[prefix + "depth"] = tissue.depth;
@@ -67,9 +67,9 @@ void store_tissue(const Tissue& tissue, const std::string& prefix, Checkpoint& i
     image.scalars[prefix + "thickness"] = tissue.thickness;
 }
 
-Tissue stored_tissue(const Checkpoint& image, const std::string& prefix, const std::filesystem::path& file)
+TissueFields stored_tissue(const Checkpoint& image, const std::string& prefix, const std::filesystem::path& file)
 {
-    Tissue tissue;
+    TissueFields tissue;
     tissue.normal = array_of(image.vectors, prefix + "normal", file);
     tissue.depth = array_of(image.scalars, prefix + "depth", file);
     tissue.mapped_rate = array_of(image.scalars, prefix + "regional_rate", file);
@@ -83,24 +83,24 @@ Tissue stored_tissue(const Checkpoint& image, const std::string& prefix, const s
 
 void write_body(const std::filesystem::path& file, const Preparation& made, const Options& options)
 {
-    const Body& body = made.body;
+    const Model& model = made.model;
     Checkpoint image;
     image.program_version = program_version();
     image.case_text = to_toml(options);
-    image.vectors["body.position"] = body.cloud.positions;
-    store_tissue(body.tissue, "body.", image);
-    image.vectors["body.surface_vertex"] = body.surface.vertices;
-    image.scalars["body.volume"] = body.cloud.volumes;
-    image.scalars["body.spacing"] = {body.cloud.spacing};
+    image.vectors["body.position"] = model.cloud.positions;
+    store_tissue(model.tissue, "body.", image);
+    image.vectors["body.surface_vertex"] = model.surface.vertices;
+    image.scalars["body.volume"] = model.cloud.volumes;
+    image.scalars["body.spacing"] = {model.cloud.spacing};
     image.scalars["body.remesh"] = {made.report.remesh.area_change, made.report.remesh.volume_change,
                                     made.report.remesh.largest_distance_mm};
     image.integers["body.input_vertices"] = {made.report.input_vertices};
-    image.integers["body.surface_particle"] = widened(body.cloud.surface_particles);
-    image.integers["body.surface_triangle"] = flattened(body.cloud.surface_triangles);
-    if (body.fem)
+    image.integers["body.surface_particle"] = widened(model.cloud.surface_particles);
+    image.integers["body.surface_triangle"] = flattened(model.cloud.surface_triangles);
+    if (model.fem)
     {
-        image.integers["body.tet"] = flattened(body.fem->elements.tets);
-        store_tissue(body.fem->tissue, "body.tet_", image);
+        image.integers["body.tet"] = flattened(model.fem->elements.tets);
+        store_tissue(model.fem->tissue, "body.tet_", image);
     }
     write_checkpoint(file, image);
 }
@@ -112,15 +112,15 @@ Preparation read_body(const std::filesystem::path& file, const Options& options)
     const auto scalars = [&](const std::string& name) { return array_of(image.scalars, "body." + name, file); };
     const auto integers = [&](const std::string& name) { return array_of(image.integers, "body." + name, file); };
     Preparation made;
-    Body& body = made.body;
-    body.cloud.positions = vectors("position");
-    body.cloud.volumes = scalars("volume");
-    body.cloud.spacing = scalars("spacing").at(0);
+    Model& model = made.model;
+    model.cloud.positions = vectors("position");
+    model.cloud.volumes = scalars("volume");
+    model.cloud.spacing = scalars("spacing").at(0);
     const std::vector<std::int64_t> surface_particles = integers("surface_particle");
-    body.cloud.surface_particles.assign(surface_particles.begin(), surface_particles.end());
-    body.cloud.surface_triangles = polygons_of<3>(integers("surface_triangle"));
-    body.surface = {vectors("surface_vertex"), body.cloud.surface_triangles};
-    body.tissue = stored_tissue(image, "body.", file);
+    model.cloud.surface_particles.assign(surface_particles.begin(), surface_particles.end());
+    model.cloud.surface_triangles = polygons_of<3>(integers("surface_triangle"));
+    model.surface = {vectors("surface_vertex"), model.cloud.surface_triangles};
+    model.tissue = stored_tissue(image, "body.", file);
     const std::vector<double> remesh = scalars("remesh");
     made.report.remesh = {remesh.at(0), remesh.at(1), remesh.at(2)};
     made.report.input_vertices = integers("input_vertices").at(0);
@@ -133,8 +133,9 @@ Preparation read_body(const std::filesystem::path& file, const Options& options)
     }
     if (options.method == Method::fem)
     {
-        body.fem = ElementBody{make_elements(body.cloud.positions, polygons_of<4>(integers("tet")), body.cloud.spacing),
-                               stored_tissue(image, "body.tet_", file)};
+        model.fem =
+            ElementModel{make_elements(model.cloud.positions, polygons_of<4>(integers("tet")), model.cloud.spacing),
+                         stored_tissue(image, "body.tet_", file)};
     }
     made.report.source = "body file";
     made.report.notes = {"read from " + file.string()};

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "corticle/config/options.hpp"
-#include "corticle/prepare/body.hpp"
+#include "corticle/prepare/prepare.hpp"
 
 #include <filesystem>
 

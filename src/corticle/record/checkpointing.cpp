@@ -3,6 +3,7 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/base/version.hpp"
+#include "corticle/formats/format_error.hpp"
 
 #include <fmt/format.h>
 
@@ -12,25 +13,52 @@ namespace corticle
 namespace
 {
 
-template <class Map>
-const typename Map::mapped_type& entry(const Map& map, const std::string& name, std::size_t size,
-                                       const std::string& file)
-{
-    const auto found = map.find(name);
-    if (found == map.end() || found->second.size() != size)
-    {
-        throw InputError(fmt::format("{}: checkpoint holds {} values of {}; expected {}", file,
-                                     found == map.end() ? 0 : found->second.size(), name, size));
-    }
-    return found->second;
-}
-
 constexpr std::size_t clock_size = 9;
+constexpr std::size_t counters_size = 4;
+constexpr std::string_view history_prefix = "history.";
 
 std::string column_name(const MeasureColumn& column)
 {
     return "measures." + std::string(column.key);
 }
+
+/// What a checkpoint must hold for this version to go on from it.
+class Entries
+{
+  public:
+    Entries(const Checkpoint& checkpoint, const std::string& file) : checkpoint_(checkpoint), file_(file) {}
+
+    const std::vector<Vec3>& vectors(const std::string& name, std::size_t size) const
+    {
+        return entry(checkpoint_.vectors, name, size);
+    }
+    const std::vector<double>& clock() const { return entry(checkpoint_.scalars, "clock", clock_size); }
+    const std::vector<std::int64_t>& counters() const { return entry(checkpoint_.integers, "counters", counters_size); }
+    const std::vector<double>& column(const MeasureColumn& column) const
+    {
+        return entry(checkpoint_.scalars, column_name(column), static_cast<std::size_t>(counters()[3]));
+    }
+
+  private:
+    template <class Map>
+    const typename Map::mapped_type& entry(const Map& map, const std::string& name, std::size_t size) const
+    {
+        const auto found = map.find(name);
+        if (found == map.end() || found->second.size() != size)
+        {
+            const std::string& writer = checkpoint_.program_version;
+            fail_reading(file_,
+                         fmt::format("a checkpoint that version {} wrote and this one cannot go on from",
+                                     writer.empty() ? "unknown" : writer),
+                         fmt::format("{} values of {}", found == map.end() ? 0 : found->second.size(), name),
+                         fmt::format("{}, as version {} writes them", size, program_version()));
+        }
+        return found->second;
+    }
+
+    const Checkpoint& checkpoint_;
+    const std::string& file_;
+};
 
 } // namespace
 
@@ -63,6 +91,10 @@ Checkpoint to_checkpoint(const State& state, std::span<const Measures> rows, con
                                    state.travel_taken.energy};
     checkpoint.integers["counters"] = {state.steps, state.rejected_steps, state.travel_taken.vertex_steps,
                                        static_cast<std::int64_t>(rows.size())};
+    for (const auto& [name, values] : state.history)
+    {
+        checkpoint.scalars[std::string(history_prefix) + name] = values;
+    }
     for (const MeasureColumn& column : measure_columns())
     {
         std::vector<double>& values = checkpoint.scalars[column_name(column)];
@@ -76,16 +108,22 @@ Checkpoint to_checkpoint(const State& state, std::span<const Measures> rows, con
 
 double reached_time(const Checkpoint& checkpoint, const std::string& file)
 {
-    return entry(checkpoint.scalars, "clock", clock_size, file).front();
+    const Entries entries(checkpoint, file);
+    for (const MeasureColumn& column : measure_columns())
+    {
+        entries.column(column);
+    }
+    return entries.clock().front();
 }
 
 Restored from_checkpoint(const Checkpoint& checkpoint, std::size_t particles, const std::string& file)
 {
+    const Entries entries(checkpoint, file);
     Restored restored;
     State& state = restored.state;
-    state.motion.x = entry(checkpoint.vectors, "position", particles, file);
-    state.motion.v = entry(checkpoint.vectors, "velocity", particles, file);
-    const std::vector<double>& clock = entry(checkpoint.scalars, "clock", clock_size, file);
+    state.motion.x = entries.vectors("position", particles);
+    state.motion.v = entries.vectors("velocity", particles);
+    const std::vector<double>& clock = entries.clock();
     state.t = clock[0];
     state.step_scale = clock[1];
     state.kinetic_energy = clock[2];
@@ -94,14 +132,21 @@ Restored from_checkpoint(const Checkpoint& checkpoint, std::size_t particles, co
     state.onset_t = clock[6];
     state.loading_rate = clock[7];
     state.travel_taken.energy = clock[8];
-    const std::vector<std::int64_t>& counters = entry(checkpoint.integers, "counters", 4, file);
+    const std::vector<std::int64_t>& counters = entries.counters();
     state.steps = counters[0];
     state.rejected_steps = counters[1];
     state.travel_taken.vertex_steps = counters[2];
+    for (const auto& [name, values] : checkpoint.scalars)
+    {
+        if (name.starts_with(history_prefix))
+        {
+            state.history[name.substr(history_prefix.size())] = values;
+        }
+    }
     restored.rows.resize(static_cast<std::size_t>(counters[3]));
     for (const MeasureColumn& column : measure_columns())
     {
-        const std::vector<double>& values = entry(checkpoint.scalars, column_name(column), restored.rows.size(), file);
+        const std::vector<double>& values = entries.column(column);
         for (std::size_t k = 0; k < values.size(); ++k)
         {
             restored.rows[k].*column.value = values[k];

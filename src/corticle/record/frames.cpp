@@ -26,7 +26,7 @@ struct ParticleArrays
 
 double growth_at(const Simulation& simulation, std::size_t i)
 {
-    return simulation.body().tissue.point(i, simulation.state().t).growth;
+    return simulation.tissue().point(i, simulation.state().t).growth;
 }
 
 std::vector<double> times(std::span<const double> values, double factor)
@@ -41,7 +41,7 @@ std::vector<double> times(std::span<const double> values, double factor)
 
 ParticleArrays particle_arrays(const Simulation& simulation, const Frame& frame)
 {
-    const Tissue& tissue = simulation.body().tissue;
+    const TissueFields& tissue = simulation.model().tissue;
     const std::vector<Mat3>& F = frame.F;
     const std::size_t count = F.size();
     ParticleArrays a{std::vector<double>(count), std::vector<double>(9 * count), std::vector<double>(9 * count),
@@ -75,9 +75,11 @@ double mean_spacing(std::span<const double> volumes)
     return std::cbrt(std::accumulate(volumes.begin(), volumes.end(), 0.0) / static_cast<double>(volumes.size()));
 }
 
-Frame make_frame(const Simulation& simulation, std::vector<Mat3> F, const PhysicalScale& scale, std::string name)
+Frame make_frame(const OutputView& view, const SurfaceArrays& arrays, std::string name)
 {
-    const Cloud& cloud = simulation.body().cloud;
+    const Simulation& simulation = view.simulation;
+    const PhysicalScale& scale = view.scale;
+    const Cloud& cloud = simulation.model().cloud;
     Frame frame;
     frame.t = simulation.state().t;
     frame.week = scale.week;
@@ -85,10 +87,10 @@ Frame make_frame(const Simulation& simulation, std::vector<Mat3> F, const Physic
     frame.name = std::move(name);
     frame.particles = scaled(simulation.state().motion.x, scale.length);
     frame.origins = scaled(cloud.positions, scale.length);
-    frame.F = std::move(F);
+    frame.F = view.F;
     frame.spacing = mean_spacing(cloud.volumes) * scale.length;
-    frame.theta = simulation.body().tissue.theta;
-    frame.surface = scaled(simulation.surface_positions(), scale.length);
+    frame.theta = simulation.state().nodes.theta;
+    frame.surface = view.surface;
     frame.triangles = cloud.surface_triangles;
     std::vector<double> J;
     for (std::size_t i = 0; i < frame.F.size(); ++i)
@@ -98,14 +100,17 @@ Frame make_frame(const Simulation& simulation, std::vector<Mat3> F, const Physic
     }
     frame.surface_J = surface_values(cloud, J);
     frame.surface_growth = surface_values(cloud, frame.particle_growth);
+    frame.sulcal_depth = arrays.folds.sulcal_depth;
+    frame.mean_curvature = arrays.folds.curvature.mean;
     return frame;
 }
 
-void write_frame(const std::filesystem::path& folder, const Simulation& simulation, const Frame& frame,
+void write_frame(const std::filesystem::path& folder, const OutputView& view, const Frame& frame,
                  const SurfaceArrays& arrays)
 {
-    const Cloud& cloud = simulation.body().cloud;
-    const Tissue& tissue = simulation.body().tissue;
+    const Simulation& simulation = view.simulation;
+    const Cloud& cloud = simulation.model().cloud;
+    const TissueFields& tissue = simulation.model().tissue;
     const ParticleArrays a = particle_arrays(simulation, frame);
     const std::vector<double> depth = times(tissue.depth, frame.length_scale);
     const std::vector<double> volume = times(cloud.volumes, std::pow(frame.length_scale, 3));

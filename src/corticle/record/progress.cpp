@@ -16,12 +16,12 @@ constexpr double redraw_s = 0.5;
 
 Progress::Progress(const Simulation& simulation, double t_end, bool quiet)
     : shown_(!quiet && isatty(STDERR_FILENO) == 1), t_end_(t_end),
-      area_0_(surface_area(simulation.body().surface.vertices, simulation.body().surface.triangles)),
+      area_0_(surface_area(simulation.model().surface.vertices, simulation.model().surface.triangles)),
       drawn_at_(Clock::now()), t_drawn_(simulation.state().t), steps_drawn_(simulation.state().steps)
 {
 }
 
-void Progress::update(const Simulation& simulation)
+void Progress::on_step(const Simulation& simulation)
 {
     if (!shown_)
     {
@@ -41,7 +41,7 @@ void Progress::update(const Simulation& simulation)
                      "{:.3f} \033[K",
                      "", width, "", 24 - width, state.t, state.steps,
                      static_cast<double>(state.steps - steps_drawn_) / since, std::floor(left / 60.0),
-                     std::fmod(left, 60.0), surface_area(x, simulation.body().cloud.surface_triangles) / area_0_,
+                     std::fmod(left, 60.0), surface_area(x, simulation.model().cloud.surface_triangles) / area_0_,
                      simulation.internal().smallest_J));
     drawn_at_ = Clock::now();
     t_drawn_ = state.t;

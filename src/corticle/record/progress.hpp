@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/model/simulation.hpp"
+#include "corticle/model/observer.hpp"
 
 #include <chrono>
 
@@ -10,16 +10,20 @@ namespace corticle
 
 /// A line on the terminal that follows a run: t, step, steps per second, time left, area ratio, J range.
 /// Silent when stderr is not a terminal or `quiet` is set.
-class Progress
+class Progress final : public Observer
 {
   public:
     Progress(const Simulation& simulation, double t_end, bool quiet);
+
     /// Redraws at most a few times a second.
-    void update(const Simulation& simulation);
-    /// Ends the line, so that other output starts on a fresh one.
-    void clear() const;
+    void on_step(const Simulation& simulation) override;
+    // Both end the line, so that other output starts on a fresh one.
+    void on_output(const OutputView& /*view*/) override { clear(); }
+    void on_end(const Simulation& /*simulation*/, RunStatus /*status*/) override { clear(); }
 
   private:
+    void clear() const;
+
     using Clock = std::chrono::steady_clock;
     bool shown_;
     double t_end_;

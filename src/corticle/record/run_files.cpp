@@ -33,8 +33,11 @@ std::vector<std::string> planned_files(const Options& options)
     const std::vector<bool> with_pictures = picture_flags(options, times);
     for (std::size_t k = 0; k < times.size(); ++k)
     {
-        const std::vector<std::string> more = frame_files(frame_name(k), with_pictures[k]);
-        files.insert(files.end(), more.begin(), more.end());
+        std::ranges::copy(frame_files(frame_name(k)), std::back_inserter(files));
+        if (with_pictures[k])
+        {
+            std::ranges::copy(frame_pictures(frame_name(k)), std::back_inserter(files));
+        }
     }
     return files;
 }
@@ -81,12 +84,9 @@ std::vector<std::string> run_files()
     return {"case.toml", "run.log", "checkpoint.h5", "measures.csv", "surface.pvd", "particles.pvd", "summary.json"};
 }
 
-std::vector<std::string> frame_files(const std::string& name, bool with_pictures)
+std::vector<std::string> frame_files(const std::string& name)
 {
-    std::vector<std::string> files = with_pictures ? frame_pictures(name) : std::vector<std::string>{};
-    files.push_back("surface_" + name + ".vtp");
-    files.push_back("particles_" + name + ".vtu");
-    return files;
+    return {"surface_" + name + ".vtp", "particles_" + name + ".vtu"};
 }
 
 void require_usable_folder(const ResultFolder& folder, const RunRequest& request)

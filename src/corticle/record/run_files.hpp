@@ -22,8 +22,8 @@ std::vector<std::string> frame_pictures(const std::string& name);
 /// The files of a run besides those of its output times and the plot of its measures.
 std::vector<std::string> run_files();
 
-/// The files of an output time of this name: surface, particles and, where asked for, pictures.
-std::vector<std::string> frame_files(const std::string& name, bool with_pictures);
+/// The files of an output time of this name, surface and particles, besides its pictures.
+std::vector<std::string> frame_files(const std::string& name);
 
 /// Refuses a folder that holds a run which was not asked to be resumed or overwritten, and one that holds a file which
 /// the program did not write and the run would replace. Writes nothing.

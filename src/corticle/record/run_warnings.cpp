@@ -104,10 +104,11 @@ void add_counts(const Measures& row, const RunSize& run, std::vector<RunWarning>
 
 RunSize size_of_run(const Simulation& simulation)
 {
-    const Body& body = simulation.body();
+    const Model& model = simulation.model();
     const SimulationOptions& options = simulation.options();
-    return {std::max(options.time.start, options.tissue.growth_onset), static_cast<double>(body.cloud.positions.size()),
-            body.fem ? static_cast<double>(body.fem->elements.tets.size()) : 0.0};
+    return {std::max(options.time.start, options.tissue.growth_onset),
+            static_cast<double>(model.cloud.positions.size()),
+            model.fem ? static_cast<double>(model.fem->elements.tets.size()) : 0.0};
 }
 
 std::vector<RunWarning> run_warnings(const Measures& row, const RunSize& run)

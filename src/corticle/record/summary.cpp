@@ -49,10 +49,10 @@ std::string inputs_json(const Options& options)
 std::string summary_json(const Simulation& simulation, const PreparationReport& made, const Options& options,
                          const Measures& last, const RunInfo& info)
 {
-    const Body& body = simulation.body();
+    const Model& model = simulation.model();
     const State& state = simulation.state();
-    const auto particles = static_cast<double>(body.cloud.positions.size());
-    const std::size_t elements = body.fem ? body.fem->elements.tets.size() : 0;
+    const auto particles = static_cast<double>(model.cloud.positions.size());
+    const std::size_t elements = model.fem ? model.fem->elements.tets.size() : 0;
     nlohmann::ordered_json j;
     j["status"] = info.status;
     if (!info.reason.empty())
@@ -61,8 +61,8 @@ std::string summary_json(const Simulation& simulation, const PreparationReport& 
     }
     j["method"] = text_of(options, "solver.method");
     j["formulation"] = text_of(options, "solver.formulation");
-    j["particles"] = body.cloud.positions.size();
-    j["surface_particles"] = body.cloud.surface_particles.size();
+    j["particles"] = model.cloud.positions.size();
+    j["surface_particles"] = model.cloud.surface_particles.size();
     j["elements"] = elements;
     j["threads"] = info.threads;
     j["t"] = state.t;
@@ -73,12 +73,12 @@ std::string summary_json(const Simulation& simulation, const PreparationReport& 
     j["rejected_steps"] = state.rejected_steps;
     j["wall_s"] = info.wall_s;
     j["us_per_particle_step"] = cost_each(1e6, particles, info);
-    if (body.fem)
+    if (model.fem)
     {
         j["ns_per_element_step"] = cost_each(1e9, static_cast<double>(elements), info);
     }
-    j["internal_forces_s"] = simulation.seconds().internal_forces;
-    j["contact_s"] = simulation.seconds().contact;
+    j["internal_forces_s"] = simulation.seconds_of("tissue");
+    j["contact_s"] = simulation.seconds_of("contact");
     j["measures_s"] = info.measures_s;
     j["output_s"] = info.output_s;
     j["peak_memory_mb"] = peak_memory_mb();
@@ -117,7 +117,7 @@ std::string summary_json(const Simulation& simulation, const PreparationReport& 
     j["intersecting_triangles"] = last.intersecting_triangles;
     j["contact_limited_share"] = last.contact_limited_share;
     j["energy_contact_limit"] = last.energy_contact_limit;
-    j["spacing_mm"] = body.cloud.spacing;
+    j["spacing_mm"] = model.cloud.spacing;
     j["neighbours_mean"] = made.neighbors_mean;
     j["dropped_pairs"] = made.visibility.dropped_pairs;
     if (made.input_vertices > 0)

@@ -3,7 +3,7 @@
 
 #include "corticle/config/options.hpp"
 #include "corticle/metrics/measures.hpp"
-#include "corticle/prepare/body.hpp"
+#include "corticle/prepare/prepare.hpp"
 
 namespace corticle
 {

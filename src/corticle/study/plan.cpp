@@ -3,7 +3,7 @@
 
 #include "corticle/base/stopwatch.hpp"
 #include "corticle/model/simulation.hpp"
-#include "corticle/prepare/body.hpp"
+#include "corticle/prepare/prepare.hpp"
 #include "corticle/study/run_folder.hpp"
 
 #include <fmt/format.h>
@@ -25,11 +25,12 @@ Plan plan(const Options& options, int threads)
 {
     set_thread_count(threads);
     Preparation made = prepare_body(options);
-    Body& body = made.body;
+    const auto shared = std::make_shared<const Model>(std::move(made.model));
+    const Model& model = *shared;
     Plan result;
-    result.particles = std::ssize(body.cloud.positions);
-    result.surface_vertices = std::ssize(body.cloud.surface_particles);
-    result.spacing_mm = body.cloud.spacing;
+    result.particles = std::ssize(model.cloud.positions);
+    result.surface_vertices = std::ssize(model.cloud.surface_particles);
+    result.spacing_mm = model.cloud.spacing;
     result.neighbors_mean = made.report.neighbors_mean;
     result.memory_mb =
         estimated_memory(options.method, static_cast<double>(result.particles), result.neighbors_mean) / 1e6;
@@ -39,7 +40,7 @@ Plan plan(const Options& options, int threads)
         notes += "warning: " + warning + "\n";
     }
 
-    Simulation simulation(body, options);
+    Simulation simulation(shared, options);
     const DynamicsOptions& dynamics = options.dynamics;
     const double longer = dynamics.time_step > 0.0 ? 1.0 : steps_over_first * quickened_steps(dynamics);
     result.steps = longer * (options.time.end - options.time.start) / simulation.step_size();
@@ -52,8 +53,8 @@ Plan plan(const Options& options, int threads)
         }
     }
     result.seconds = contact_surcharge * timed_s / timed_steps * result.steps;
-    const std::string links = body.fem ? fmt::format("elements    {}", body.fem->elements.tets.size())
-                                       : fmt::format("neighbours  {:.1f}", result.neighbors_mean);
+    const std::string links = model.fem ? fmt::format("elements    {}", model.fem->elements.tets.size())
+                                        : fmt::format("neighbours  {:.1f}", result.neighbors_mean);
     result.text = fmt::format("{}particles   {} ({} on the surface)\nspacing     {:.4g} mm\n{}\nsteps  "
                               "     about {:.0f}\nmemory      about "
                               "{:.0f} MB\ntime        about {:.0f} s on {} threads\n",

@@ -42,9 +42,9 @@ double sum(std::span<const double> values)
     return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-std::span<const Vec3> positions_of(const Body& body)
+std::span<const Vec3> positions_of(const Model& model)
 {
-    return body.cloud.positions;
+    return model.cloud.positions;
 }
 
 bool is_sphere_by_lambda(const Options& options)
@@ -53,23 +53,23 @@ bool is_sphere_by_lambda(const Options& options)
 }
 
 /// Thickness of the exact cortex at each particle: on the sphere that of eq. 24 where the case has a lambda [mm].
-std::vector<double> exact_thickness(const Body& body, const Options& options)
+std::vector<double> exact_thickness(const Model& model, const Options& options)
 {
-    if (!body.tissue.thickness.empty())
+    if (!model.tissue.thickness.empty())
     {
-        return body.tissue.thickness;
+        return model.tissue.thickness;
     }
     const double everywhere = is_sphere_by_lambda(options)
                                   ? (1.0 - std::sqrt(options.tissue.lambda)) * options.geometry.radius_mm
                                   : options.tissue.thickness_mm;
-    return std::vector<double>(body.cloud.positions.size(), everywhere);
+    return std::vector<double>(model.cloud.positions.size(), everywhere);
 }
 
 /// Depths and normals of the sphere itself.
-void set_sphere(const Body& body, double radius, Exact& exact)
+void set_sphere(const Model& model, double radius, Exact& exact)
 {
     exact.reference = "sphere";
-    for (const Vec3& X : positions_of(body))
+    for (const Vec3& X : positions_of(model))
     {
         exact.depth.push_back(std::max(radius - norm(X), 0.0));
         exact.normal.push_back(normalized(X));
@@ -77,40 +77,40 @@ void set_sphere(const Body& body, double radius, Exact& exact)
 }
 
 /// Depths of the triangulated surface, and their gradient as normals; on the surface itself the vertex normals.
-void set_surface(const Body& body, const SurfaceTree& tree, Exact& exact)
+void set_surface(const Model& model, const SurfaceTree& tree, Exact& exact)
 {
     exact.reference = "triangulated surface";
-    const std::int64_t count = std::ssize(positions_of(body));
+    const std::int64_t count = std::ssize(positions_of(model));
     exact.depth.resize(count);
     exact.normal.resize(count);
     parallel_for(count,
                  [&](std::int64_t i)
                  {
-                     const Vec3& X = body.cloud.positions[i];
+                     const Vec3& X = model.cloud.positions[i];
                      const SurfacePoint foot = tree.closest(X);
                      const double depth = std::sqrt(foot.squared_distance);
-                     const bool on_it = depth < 1e-6 * body.cloud.spacing;
+                     const bool on_it = depth < 1e-6 * model.cloud.spacing;
                      exact.depth[i] = depth;
                      exact.normal[i] = on_it ? tree.interpolated_normal(foot) : (foot.position - X) / depth;
                  });
 }
 
-Exact exact_answers(const Body& body, const Options& options, const SurfaceTree& tree)
+Exact exact_answers(const Model& model, const Options& options, const SurfaceTree& tree)
 {
     constexpr double fine_lines = 24.0; // per spacing
     Exact exact;
     const bool sphere = options.geometry.shape == Shape::sphere;
     if (sphere)
     {
-        set_sphere(body, options.geometry.radius_mm, exact);
+        set_sphere(model, options.geometry.radius_mm, exact);
     }
     else
     {
-        set_surface(body, tree, exact);
+        set_surface(model, tree, exact);
     }
-    exact.volume = cell_volumes(body.surface, body.cloud.positions, body.cloud.spacing, fine_lines);
-    exact.total_volume = enclosed_volume(body.surface.vertices, body.surface.triangles);
-    const std::vector<double> thickness = exact_thickness(body, options);
+    exact.volume = cell_volumes(model.surface, model.cloud.positions, model.cloud.spacing, fine_lines);
+    exact.total_volume = enclosed_volume(model.surface.vertices, model.surface.triangles);
+    const std::vector<double> thickness = exact_thickness(model, options);
     std::vector<double> inside;
     for (std::size_t i = 0; i < thickness.size(); ++i)
     {
@@ -118,7 +118,7 @@ Exact exact_answers(const Body& body, const Options& options, const SurfaceTree&
         exact.theta.push_back(inside[i] >= 0.0 ? 1.0 : 0.0);
     }
     exact.cortex_volume =
-        sphere && body.tissue.thickness.empty()
+        sphere && model.tissue.thickness.empty()
             ? exact.total_volume * (1.0 - std::pow(1.0 - thickness[0] / options.geometry.radius_mm, 3))
             : volume_inside(inside, exact.volume);
     return exact;
@@ -150,7 +150,7 @@ NormalErrors normal_errors(std::string choice, std::span<const double> degrees, 
     return errors;
 }
 
-VolumeErrors volume_errors(std::string choice, std::span<const double> volumes, const Body& body, const Exact& exact,
+VolumeErrors volume_errors(std::string choice, std::span<const double> volumes, const Model& model, const Exact& exact,
                            double kernel_radius)
 {
     enum Place
@@ -164,7 +164,7 @@ VolumeErrors volume_errors(std::string choice, std::span<const double> volumes, 
     {
         place.push_back(depth < kernel_radius ? below : deep);
     }
-    for (const std::int32_t particle : body.cloud.surface_particles)
+    for (const std::int32_t particle : model.cloud.surface_particles)
     {
         place[particle] = surface;
     }
@@ -190,12 +190,12 @@ VolumeErrors volume_errors(std::string choice, std::span<const double> volumes, 
 }
 
 /// Distances to the nearest particle on the surface (thesis section 2.3).
-std::vector<double> distances_to_surface_particles(const Body& body)
+std::vector<double> distances_to_surface_particles(const Model& model)
 {
-    const PointTree tree(body.surface.vertices);
-    std::vector<double> distances(body.cloud.positions.size());
+    const PointTree tree(model.surface.vertices);
+    std::vector<double> distances(model.cloud.positions.size());
     parallel_for(std::ssize(distances), [&](std::int64_t i)
-                 { distances[i] = std::sqrt(tree.nearest_squared<1>(body.cloud.positions[i])[0]); });
+                 { distances[i] = std::sqrt(tree.nearest_squared<1>(model.cloud.positions[i])[0]); });
     return distances;
 }
 
@@ -223,20 +223,24 @@ LayerErrors layer_errors(std::string choice, std::span<const double> theta, std:
     return errors;
 }
 
-/// What we do, whatever the case of the body chooses.
-Tissue our_tissue(const Body& body, const Options& options, const SurfaceTree& tree)
+/// The tissue as it would be at t = 0.
+struct OurTissue : TissueFields
 {
-    Tissue ours;
-    ours.options = options.tissue;
-    ours.options.layer = Layer::binary; // what the exact cortex is compared with
-    ours.thickness = body.tissue.thickness;
-    ours.volume = cell_volumes(body.surface, body.cloud.positions, body.cloud.spacing);
-    ours.depth.resize(body.cloud.positions.size());
-    ours.normal.resize(body.cloud.positions.size());
+    std::vector<double> theta; ///< of a sharp layer
+};
+
+/// What we do, whatever the case of the body chooses.
+OurTissue our_tissue(const Model& model, const Options& options, const SurfaceTree& tree)
+{
+    OurTissue ours;
+    ours.thickness = model.tissue.thickness;
+    ours.volume = cell_volumes(model.surface, model.cloud.positions, model.cloud.spacing);
+    ours.depth.resize(model.cloud.positions.size());
+    ours.normal.resize(model.cloud.positions.size());
     parallel_for(std::ssize(ours.depth),
                  [&](std::int64_t i)
                  {
-                     const SurfacePoint foot = tree.closest(body.cloud.positions[i]);
+                     const SurfacePoint foot = tree.closest(model.cloud.positions[i]);
                      ours.depth[i] = std::sqrt(foot.squared_distance);
                      ours.normal[i] = tree.interpolated_normal(foot);
                  });
@@ -244,24 +248,28 @@ Tissue our_tissue(const Body& body, const Options& options, const SurfaceTree& t
     {
         const double radius = options.geometry.radius_mm;
         ours.theta =
-            ellipsoid_layer(body.cloud.positions, ours.volume, {radius, radius, radius}, options.tissue.lambda);
+            ellipsoid_layer(model.cloud.positions, ours.volume, {radius, radius, radius}, options.tissue.lambda);
     }
     else
     {
-        ours.set_layer(0.0);
+        TissueOptions sharp = options.tissue;
+        sharp.layer = Layer::binary; // what the exact cortex is compared with
+        TissueState state;
+        set_layer(ours, sharp, {}, 0.0, state);
+        ours.theta = std::move(state.theta);
     }
     return ours;
 }
 
-void compare_normals(const Body& body, const Tissue& ours, const Exact& exact, PreparationComparison& result)
+void compare_normals(const Model& model, const OurTissue& ours, const Exact& exact, PreparationComparison& result)
 {
     result.normals.push_back(normal_errors("ours: closest point", angles(ours.normal, exact.normal), exact));
-    const NormalLines lines = triangle_normal_lines(body.surface);
-    const Vec3 centre = extents_centre(body.cloud.positions);
+    const NormalLines lines = triangle_normal_lines(model.surface);
+    const Vec3 centre = extents_centre(model.cloud.positions);
     const std::vector<std::int32_t>& divisions = result.thesis.divisions;
     for (std::size_t k = 0; k < divisions.size(); ++k)
     {
-        const std::vector<Vec3> normals = division_normals(body.cloud.positions, lines, divisions[k], centre);
+        const std::vector<Vec3> normals = division_normals(model.cloud.positions, lines, divisions[k], centre);
         std::vector<double> degrees = angles(normals, exact.normal);
         result.normals.push_back(
             normal_errors(fmt::format("thesis: nearest line, {} divisions", divisions[k]), degrees, exact));
@@ -272,14 +280,15 @@ void compare_normals(const Body& body, const Tissue& ours, const Exact& exact, P
     }
 }
 
-std::vector<double> compare_volumes(const Body& body, const Tissue& ours, const Exact& exact,
+std::vector<double> compare_volumes(const Model& model, const OurTissue& ours, const Exact& exact,
                                     PreparationComparison& result)
 {
     const double radius = result.thesis.kernel_radius_mm;
-    std::vector<double> volumes = neighbor_count_volumes(body.cloud.positions, radius, exact.total_volume);
-    result.volumes.push_back(volume_errors("ours: Voronoi cells cut at the surface", ours.volume, body, exact, radius));
+    std::vector<double> volumes = neighbor_count_volumes(model.cloud.positions, radius, exact.total_volume);
     result.volumes.push_back(
-        volume_errors(fmt::format("thesis: neighbour counts within {:g} mm", radius), volumes, body, exact, radius));
+        volume_errors("ours: Voronoi cells cut at the surface", ours.volume, model, exact, radius));
+    result.volumes.push_back(
+        volume_errors(fmt::format("thesis: neighbour counts within {:g} mm", radius), volumes, model, exact, radius));
     for (std::size_t i = 0; i < volumes.size(); ++i)
     {
         result.volume_ratio.push_back(volumes[i] / exact.volume[i]);
@@ -287,10 +296,10 @@ std::vector<double> compare_volumes(const Body& body, const Tissue& ours, const 
     return volumes;
 }
 
-void compare_layers(const Body& body, const Tissue& ours, const Exact& exact, std::span<const double> thesis_volumes,
-                    PreparationComparison& result)
+void compare_layers(const Model& model, const OurTissue& ours, const Exact& exact,
+                    std::span<const double> thesis_volumes, PreparationComparison& result)
 {
-    const std::span<const Vec3> positions = positions_of(body);
+    const std::span<const Vec3> positions = positions_of(model);
     const double lambda = result.thesis.lambda;
     const Vec3 centre = extents_centre(positions);
     const std::array<double, 3> semi_axes = fitted_semi_axes(positions);
@@ -323,9 +332,10 @@ std::vector<Vec3> chosen(std::span<const Vec3> points, std::span<const std::int3
     return subset;
 }
 
-void compare_evenness(const Body& body, const Options& options, const SurfaceTree& tree, PreparationComparison& result)
+void compare_evenness(const Model& model, const Options& options, const SurfaceTree& tree,
+                      PreparationComparison& result)
 {
-    const double spacing = body.cloud.spacing;
+    const double spacing = model.cloud.spacing;
     const double support = options.tlsph.support * spacing;
     const auto add = [&](std::string choice, std::span<const Vec3> points)
     {
@@ -335,11 +345,11 @@ void compare_evenness(const Body& body, const Options& options, const SurfaceTre
         result.clouds.push_back({std::move(choice), measure_evenness(points, depths, spacing, support)});
     };
     const Arrangement arrangement = options.geometry.arrangement;
-    add(arrangement == Arrangement::body_fitted ? "ours: repulsion" : std::string("this body: ") + name_of(arrangement), body.cloud.positions);
+    add(arrangement == Arrangement::body_fitted ? "ours: repulsion" : std::string("this body: ") + name_of(arrangement), model.cloud.positions);
 
     constexpr double edge_per_spacing = 1.05;
     const double dense_spacing = spacing / std::cbrt(result.thesis.dense_ratio);
-    const TriangleMesh surface = remesh_isotropic(body.surface, edge_per_spacing * dense_spacing);
+    const TriangleMesh surface = remesh_isotropic(model.surface, edge_per_spacing * dense_spacing);
     const std::vector<Vec3> dense = fill_surface(surface, {dense_spacing, result.thesis.seed}).positions;
     const std::int64_t count = std::min(result.particles, std::ssize(dense));
     add("thesis: random thinning", chosen(dense, thin_random(dense, count, result.thesis.seed)));
@@ -348,23 +358,23 @@ void compare_evenness(const Body& body, const Options& options, const SurfaceTre
 
 } // namespace
 
-PreparationComparison compare_preparation(const Body& body, const Options& options, const ThesisPreparation& thesis)
+PreparationComparison compare_preparation(const Model& model, const Options& options, const ThesisPreparation& thesis)
 {
     PreparationComparison result;
     result.thesis = thesis;
-    result.particles = std::ssize(body.cloud.positions);
-    result.spacing_mm = body.cloud.spacing;
-    const SurfaceTree tree(body.surface.vertices, body.surface.triangles);
-    const Exact exact = exact_answers(body, options, tree);
-    const Tissue ours = our_tissue(body, options, tree);
+    result.particles = std::ssize(model.cloud.positions);
+    result.spacing_mm = model.cloud.spacing;
+    const SurfaceTree tree(model.surface.vertices, model.surface.triangles);
+    const Exact exact = exact_answers(model, options, tree);
+    const OurTissue ours = our_tissue(model, options, tree);
     result.reference = exact.reference;
-    compare_normals(body, ours, exact, result);
-    const std::vector<double> thesis_volumes = compare_volumes(body, ours, exact, result);
+    compare_normals(model, ours, exact, result);
+    const std::vector<double> thesis_volumes = compare_volumes(model, ours, exact, result);
     result.depths.push_back(depth_errors("ours: closest point of the triangles", ours.depth, exact));
     result.depths.push_back(
-        depth_errors("thesis: nearest particle on the surface", distances_to_surface_particles(body), exact));
-    compare_layers(body, ours, exact, thesis_volumes, result);
-    compare_evenness(body, options, tree, result);
+        depth_errors("thesis: nearest particle on the surface", distances_to_surface_particles(model), exact));
+    compare_layers(model, ours, exact, thesis_volumes, result);
+    compare_evenness(model, options, tree, result);
     return result;
 }
 

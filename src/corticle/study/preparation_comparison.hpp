@@ -3,7 +3,7 @@
 
 #include "corticle/config/options.hpp"
 #include "corticle/formats/field.hpp"
-#include "corticle/model/body.hpp"
+#include "corticle/model/model.hpp"
 #include "corticle/study/evenness.hpp"
 
 #include <array>
@@ -95,7 +95,7 @@ struct PreparationComparison
 /// Compares on a prepared body. Thins a cloud `dense_ratio` times as dense, which it makes.
 /// @param options  those the body was prepared with
 /// @throws InputError where one of the thesis's choices cannot be made on this body
-PreparationComparison compare_preparation(const Body& body, const Options& options,
+PreparationComparison compare_preparation(const Model& model, const Options& options,
                                           const ThesisPreparation& thesis = {});
 
 /// The figures as a JSON object (without what is per particle): what `preparation.json` holds as "thesis_comparison".
@@ -112,7 +112,7 @@ inline constexpr std::array thesis_pictures{"thesis_normals.png", "thesis_volume
 
 /// Cross-sections through the middle of the body: `thesis_normals.png`, `thesis_volumes.png`, `thesis_layer.png`, each
 /// with the thesis's layer on the left. Needs a display or Xvfb, see io/pictures.hpp.
-void write_comparison_pictures(const std::filesystem::path& folder, const Body& body,
+void write_comparison_pictures(const std::filesystem::path& folder, const Model& model,
                                const PreparationComparison& comparison);
 
 } // namespace corticle

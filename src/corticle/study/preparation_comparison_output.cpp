@@ -144,24 +144,24 @@ std::vector<Field> comparison_fields(const PreparationComparison& comparison)
             {"thesis_layer_disagreement", 1, comparison.layer_disagreement}};
 }
 
-void write_comparison_pictures(const std::filesystem::path& folder, const Body& body,
+void write_comparison_pictures(const std::filesystem::path& folder, const Model& model,
                                const PreparationComparison& comparison)
 {
-    const std::vector<Mat3> undeformed(body.cloud.positions.size(), Mat3::identity());
+    const std::vector<Mat3> undeformed(model.cloud.positions.size(), Mat3::identity());
     const std::int32_t divisions = comparison.thesis.divisions[comparison.thesis.divisions.size() / 2];
     const auto render =
         [&](const char* name, std::span<const double> scalar, const ColorScale& scale, const std::string& title)
     {
-        const CutInput cut{.positions = body.cloud.positions,
-                           .origins = body.cloud.positions,
+        const CutInput cut{.positions = model.cloud.positions,
+                           .origins = model.cloud.positions,
                            .F = undeformed,
                            .theta = comparison.thesis_theta,
                            .scalar = scalar,
-                           .spacing = body.cloud.spacing,
-                           .surface_points = body.surface.vertices,
-                           .triangles = body.surface.triangles,
+                           .spacing = model.cloud.spacing,
+                           .surface_points = model.surface.vertices,
+                           .triangles = model.surface.triangles,
                            .axis = 1,
-                           .coordinate = extents_centre(body.cloud.positions).y};
+                           .coordinate = extents_centre(model.cloud.positions).y};
         render_cut(folder / name, cut, scale, title);
     };
     const double most_degrees = comparison.reference == "sphere" ? 10.0 : 90.0;

@@ -96,16 +96,16 @@ std::int64_t genus(const TriangleMesh& surface)
 }
 
 /// Files of the body that ParaView opens.
-void write_views(const fs::path& out, const Body& body, const BodyQuality& quality)
+void write_views(const fs::path& out, const Model& model, std::span<const double> theta, const BodyQuality& quality)
 {
-    const Tissue& tissue = body.tissue;
+    const TissueFields& tissue = model.tissue;
     const std::vector<double> normal = flattened(tissue.normal);
-    std::vector<std::int32_t> ids(body.cloud.positions.size());
+    std::vector<std::int32_t> ids(model.cloud.positions.size());
     std::iota(ids.begin(), ids.end(), 0);
-    std::vector fields{Field{"theta", 1, tissue.theta},
+    std::vector fields{Field{"theta", 1, theta},
                        Field{"depth", 1, tissue.depth},
                        Field{"normal", 3, normal},
-                       Field{"volume", 1, body.cloud.volumes},
+                       Field{"volume", 1, model.cloud.volumes},
                        Field{"regional_growth", 1, tissue.regional_rate},
                        Field{"nearest_distance", 1, quality.nearest_distance},
                        Field{"volume_over_mean", 1, quality.volume_over_mean},
@@ -119,36 +119,37 @@ void write_views(const fs::path& out, const Body& body, const BodyQuality& quali
             fields.push_back(Field{name, 1, *values});
         }
     }
-    write_particles_vtu(out / "particles.vtu", body.cloud.positions, ids, fields);
+    write_particles_vtu(out / "particles.vtu", model.cloud.positions, ids, fields);
 
-    const std::vector<double> growth = surface_values(body.cloud, tissue.regional_rate);
+    const std::vector<double> growth = surface_values(model.cloud, tissue.regional_rate);
     const std::vector<double> thickness =
-        tissue.thickness.empty() ? std::vector<double>{} : surface_values(body.cloud, tissue.thickness);
+        tissue.thickness.empty() ? std::vector<double>{} : surface_values(model.cloud, tissue.thickness);
     std::vector surface_fields{Field{"regional_growth", 1, growth}};
     if (!thickness.empty())
     {
         surface_fields.push_back(Field{"thickness", 1, thickness});
     }
-    write_surface_vtp(out / "surface.vtp", body.surface.vertices, body.surface.triangles, surface_fields);
+    write_surface_vtp(out / "surface.vtp", model.surface.vertices, model.surface.triangles, surface_fields);
 }
 
-Json report_json(const Preparation& made, const Options& options, const BodyQuality& quality, double seconds)
+Json report_json(const Preparation& made, std::span<const double> theta, const Options& options,
+                 const BodyQuality& quality, double seconds)
 {
-    const Body& body = made.body;
-    const CloudQuality cloud = measure_quality(body.cloud);
+    const Model& model = made.model;
+    const CloudQuality cloud = measure_quality(model.cloud);
     Json j;
     j["source"] = made.report.source;
-    j["particles"] = body.cloud.positions.size();
-    j["surface_particles"] = body.cloud.surface_particles.size();
-    j["spacing_mm"] = body.cloud.spacing;
-    j["elements"] = body.fem ? body.fem->elements.tets.size() : 0;
+    j["particles"] = model.cloud.positions.size();
+    j["surface_particles"] = model.cloud.surface_particles.size();
+    j["spacing_mm"] = model.cloud.spacing;
+    j["elements"] = model.fem ? model.fem->elements.tets.size() : 0;
     j["neighbours_mean"] = made.report.neighbors_mean;
     j["dropped_pairs"] = made.report.visibility.dropped_pairs;
-    j["area_mm2"] = surface_area(body.surface.vertices, body.surface.triangles);
-    j["volume_mm3"] = enclosed_volume(body.surface.vertices, body.surface.triangles);
-    j["particle_volume_sum_mm3"] = std::accumulate(body.cloud.volumes.begin(), body.cloud.volumes.end(), 0.0);
-    j["extent_mm"] = extent(body.surface.vertices);
-    j["genus"] = genus(body.surface);
+    j["area_mm2"] = surface_area(model.surface.vertices, model.surface.triangles);
+    j["volume_mm3"] = enclosed_volume(model.surface.vertices, model.surface.triangles);
+    j["particle_volume_sum_mm3"] = std::accumulate(model.cloud.volumes.begin(), model.cloud.volumes.end(), 0.0);
+    j["extent_mm"] = extent(model.surface.vertices);
+    j["genus"] = genus(model.surface);
     if (made.report.input_vertices > 0)
     {
         j["input_vertices"] = made.report.input_vertices;
@@ -159,7 +160,7 @@ Json report_json(const Preparation& made, const Options& options, const BodyQual
     j["closest_pair_spacings"] = cloud.closest_pair_spacings;
     j["volume_over_mean"] = {cloud.smallest_volume / cloud.mean_volume, cloud.largest_volume / cloud.mean_volume};
     j["worst_condition_number"] = *std::max_element(quality.condition_number.begin(), quality.condition_number.end());
-    j["cortex_volume_share"] = cortex_share(body);
+    j["cortex_volume_share"] = cortex_share(model, theta);
     j.update(Json::parse(reports_json(made.report.inputs)));
     j["notes"] = made.report.notes;
     j["warnings"] = made.report.warnings;
@@ -206,14 +207,17 @@ std::string prepare(const PrepareRequest& request)
     require_free_folder(folder, request);
     Preparation made = arrange_body(request.options);
     connect_body(request.options, made);
-    const Body& body = made.body;
-    const BodyQuality quality = measure_body_quality(body);
+    const Model& model = made.model;
+    const std::vector<double> theta =
+        start_tissue(model.tissue, request.options.tissue, cortex_size(request.options), request.options.time.start)
+            .theta;
+    const BodyQuality quality = measure_body_quality(model);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    Json report = report_json(made, request.options, quality, seconds);
+    Json report = report_json(made, theta, request.options, quality, seconds);
     std::optional<PreparationComparison> comparison;
     if (request.compare_thesis)
     {
-        comparison = compare_preparation(body, request.options);
+        comparison = compare_preparation(model, request.options);
         report["thesis_comparison"] = Json::parse(comparison_json(*comparison));
     }
 
@@ -225,14 +229,14 @@ std::string prepare(const PrepareRequest& request)
     folder.claim(written_files(request, draws));
     write_body(request.out / "body.h5", made, request.options);
     write_text_atomically(request.out / "case.toml", to_toml(request.options));
-    write_views(request.out, body, quality);
+    write_views(request.out, model, theta, quality);
     if (draws)
     {
-        render_body(request.out / "pictures", body, quality);
+        render_body(request.out / "pictures", model, theta, quality);
     }
     if (draws && comparison)
     {
-        write_comparison_pictures(request.out / "pictures", body, *comparison);
+        write_comparison_pictures(request.out / "pictures", model, *comparison);
     }
     write_text_atomically(request.out / "preparation.json", report.dump(2) + "\n");
     std::string text = report_text(report);

@@ -8,11 +8,13 @@
 #include "corticle/config/case_file.hpp"
 #include "corticle/formats/atomic_file.hpp"
 #include "corticle/record/body_file.hpp"
+#include "corticle/record/checkpointer.hpp"
 #include "corticle/record/progress.hpp"
+#include "corticle/record/recorder.hpp"
 #include "corticle/record/result_folder.hpp"
 #include "corticle/record/run_files.hpp"
 #include "corticle/study/interruption.hpp"
-#include "corticle/study/recorder.hpp"
+#include "corticle/view/picture_observer.hpp"
 #include "corticle/view/pictures.hpp"
 
 #include <fmt/format.h>
@@ -42,40 +44,6 @@ std::shared_ptr<spdlog::logger> make_log(const fs::path& folder, bool quiet)
     return log;
 }
 
-/// The loop over output times; false when interrupted.
-bool fold(Simulation& simulation, Recorder& recorder, const Options& options, bool quiet)
-{
-    const std::vector<double> times = output_times(options);
-    const std::vector<bool> with_pictures = picture_flags(options, times);
-    Progress progress(simulation, options.time.end, quiet);
-    for (std::size_t k = 0; k < times.size(); ++k)
-    {
-        if (recorder.has(times[k]) || times[k] < simulation.state().t - same_output_time)
-        {
-            continue;
-        }
-        while (simulation.state().t < times[k])
-        {
-            simulation.step(times[k]);
-            progress.update(simulation);
-            if (simulation.state().t >= times[k])
-            {
-                break; // it is recorded and saved at once
-            }
-            recorder.save_if_due(simulation);
-            if (InterruptionGuard::requested())
-            {
-                progress.clear();
-                recorder.save(simulation);
-                return false;
-            }
-        }
-        progress.clear();
-        recorder.record(simulation, with_pictures[k]);
-    }
-    return true;
-}
-
 /// What is ready before the run folder is touched.
 struct Start
 {
@@ -101,7 +69,7 @@ Start prepare_start(const RunRequest& request, std::optional<Checkpoint> checkpo
     if (checkpoint)
     {
         start.earlier_versions = checkpoint->program_version;
-        start.restored = from_checkpoint(*checkpoint, start.made.body.cloud.positions.size(),
+        start.restored = from_checkpoint(*checkpoint, start.made.model.cloud.positions.size(),
                                          (request.out / "checkpoint.h5").string());
     }
     return start;
@@ -135,15 +103,25 @@ std::vector<double> output_times_of(std::span<const Measures> rows)
     return times;
 }
 
+std::vector<std::string_view> names_of(std::span<const std::unique_ptr<ForceTerm>> terms)
+{
+    std::vector<std::string_view> names;
+    for (const auto& term : terms)
+    {
+        names.push_back(term->name());
+    }
+    return names;
+}
+
 void log_body(spdlog::logger& log, const Preparation& made)
 {
-    const Body& body = made.body;
+    const Model& model = made.model;
     const std::string nodes =
-        fmt::format("{} {}, {} of them on the surface, spacing {:.4g} mm", body.cloud.positions.size(),
-                    body.fem ? "nodes" : "particles", body.cloud.surface_particles.size(), body.cloud.spacing);
-    if (body.fem)
+        fmt::format("{} {}, {} of them on the surface, spacing {:.4g} mm", model.cloud.positions.size(),
+                    model.fem ? "nodes" : "particles", model.cloud.surface_particles.size(), model.cloud.spacing);
+    if (model.fem)
     {
-        log.info("{} tets, {}", body.fem->elements.tets.size(), nodes);
+        log.info("{} tets, {}", model.fem->elements.tets.size(), nodes);
     }
     else
     {
@@ -192,41 +170,79 @@ void log_start(spdlog::logger& log, const RunRequest& request, const Start& star
     }
 }
 
+/// Output times that are not recorded yet.
+std::vector<double> times_left(const Options& options, std::span<const Measures> recorded)
+{
+    std::vector<double> times = output_times(options);
+    std::erase_if(times, [&](double t) { return !recorded.empty() && recorded.back().t >= t; });
+    return times;
+}
+
+/// A run as its folder shows it: who looks at it.
+struct Observers
+{
+    Observers(const RunRequest& request, const Start& start, ResultFolder& folder, const std::string& versions,
+              const std::shared_ptr<spdlog::logger>& log, Recorder::Clock::time_point began)
+        : measuring(start.restored ? start.restored->rows : std::vector<Measures>{}),
+          recorder(request, start.made.report, folder, versions, log, began, measuring),
+          pictures(folder, picture_flags(request.options, output_times(request.options)), measuring, recorder),
+          checkpointer(request.out, to_toml(request.options), versions, request.options.output.checkpoint_minutes,
+                       measuring, recorder.output_seconds()),
+          draws(start.draws)
+    {
+    }
+
+    RunStatus watch(Simulation& simulation, const RunRequest& request)
+    {
+        Progress progress(simulation, request.options.time.end, request.quiet);
+        std::vector<Observer*> all{&progress, &measuring, &recorder};
+        if (draws)
+        {
+            all.push_back(&pictures);
+        }
+        all.push_back(&checkpointer);
+        return fold(simulation, times_left(request.options, measuring.rows()), measuring.rows().size(), all,
+                    &InterruptionGuard::requested);
+    }
+
+    Measuring measuring;
+    Recorder recorder;
+    PictureObserver pictures;
+    Checkpointer checkpointer;
+    bool draws;
+};
+
 /// From the start, or from where it was left, to the end or an interruption. What fails is recorded.
-RunStatus record_run(const RunRequest& request, Start& start, Recorder& recorder, spdlog::logger& log)
+RunStatus record_run(const RunRequest& request, Start& start, Observers& observers, spdlog::logger& log)
 {
     std::optional<Simulation> simulation;
+    const auto fail = [&](const std::string& reason)
+    { observers.recorder.record_failure(simulation ? &*simulation : nullptr, reason); };
+    RunStatus status{};
     try
     {
+        simulation.emplace(std::make_shared<const Model>(std::move(start.made.model)), request.options);
+        log.info("forces: {}", fmt::join(names_of(simulation->terms()), ", "));
         if (start.restored)
         {
             log.info("resumed at t = {:.6g}, step {}", start.restored->state.t, start.restored->state.steps);
-            recorder.resume(std::move(start.restored->rows), start.restored->state.steps);
-        }
-        simulation.emplace(start.made.body, request.options);
-        if (start.restored)
-        {
+            observers.recorder.resume(start.restored->state.steps);
             simulation->restore(std::move(start.restored->state));
         }
-        if (!fold(*simulation, recorder, request.options, request.quiet))
-        {
-            recorder.summarize(*simulation, "interrupted");
-            return RunStatus::interrupted;
-        }
-        recorder.draw_measures();
+        status = observers.watch(*simulation, request);
     }
     catch (const std::bad_alloc&)
     {
-        recorder.record_failure(simulation, "out of memory");
+        fail("out of memory");
         throw;
     }
     catch (const std::exception& error)
     {
-        recorder.record_failure(simulation, error.what());
+        fail(error.what());
         throw;
     }
-    recorder.summarize(*simulation, "completed");
-    return RunStatus::completed;
+    observers.recorder.summarize(*simulation, status == RunStatus::completed ? "completed" : "interrupted");
+    return status;
 }
 
 } // namespace
@@ -245,8 +261,8 @@ RunStatus simulate(const RunRequest& request)
     open_folder(folder, request, case_text, start.restored.has_value());
     const auto log = make_log(request.out, request.quiet);
     log_start(*log, request, start, versions);
-    Recorder recorder(request, start.made.report, folder, versions, log, began, start.draws);
-    return record_run(request, start, recorder, *log);
+    Observers observers(request, start, folder, versions, log, began);
+    return record_run(request, start, observers, *log);
 }
 
 } // namespace corticle

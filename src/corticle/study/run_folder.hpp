@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "corticle/model/observer.hpp"
 #include "corticle/record/run_request.hpp"
 
 #include <cstdint>
@@ -9,12 +10,6 @@
 
 namespace corticle
 {
-
-enum class RunStatus
-{
-    completed,
-    interrupted
-};
 
 /// Runs a case into its run folder: frames, measures, pictures, checkpoints, summary.
 /// @throws InputError before anything is written; RunError after, with the diagnosis; the last good checkpoint is kept

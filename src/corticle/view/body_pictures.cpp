@@ -70,10 +70,10 @@ void measure_tets(const TetElements& elements, BodyQuality& quality)
     }
 }
 
-void measure_pairs(const Body& body, BodyQuality& quality)
+void measure_pairs(const Model& model, BodyQuality& quality)
 {
-    const Cloud& cloud = body.cloud;
-    const PairBlocks& pairs = body.particles.pairs;
+    const Cloud& cloud = model.cloud;
+    const PairBlocks& pairs = model.particles.pairs;
     parallel_for(std::ssize(cloud.positions),
                  [&](std::int64_t i)
                  {
@@ -84,15 +84,15 @@ void measure_pairs(const Body& body, BodyQuality& quality)
                                             squared_norm(cloud.positions[i] - cloud.positions[pairs.neighbor(i, k)]));
                      }
                      quality.nearest_distance[i] = std::sqrt(nearest) / cloud.spacing;
-                     quality.condition_number[i] = condition_number(body.particles.correction[i]);
+                     quality.condition_number[i] = condition_number(model.particles.correction[i]);
                  });
 }
 
 } // namespace
 
-BodyQuality measure_body_quality(const Body& body)
+BodyQuality measure_body_quality(const Model& model)
 {
-    const std::vector<double>& volumes = body.cloud.volumes;
+    const std::vector<double>& volumes = model.cloud.volumes;
     const std::size_t count = volumes.size();
     const double mean = std::accumulate(volumes.begin(), volumes.end(), 0.0) / static_cast<double>(count);
     BodyQuality quality{std::vector<double>(count, 1e300), std::vector<double>(count), std::vector<double>(count)};
@@ -100,43 +100,44 @@ BodyQuality measure_body_quality(const Body& body)
     {
         quality.volume_over_mean[i] = volumes[i] / mean;
     }
-    if (body.fem)
+    if (model.fem)
     {
-        measure_tets(body.fem->elements, quality);
+        measure_tets(model.fem->elements, quality);
     }
     else
     {
-        measure_pairs(body, quality);
+        measure_pairs(model, quality);
     }
     return quality;
 }
 
-double cortex_share(const Body& body)
+double cortex_share(const Model& model, std::span<const double> theta)
 {
     double cortex = 0.0;
     double total = 0.0;
-    for (std::size_t i = 0; i < body.cloud.volumes.size(); ++i)
+    for (std::size_t i = 0; i < model.cloud.volumes.size(); ++i)
     {
-        cortex += body.tissue.theta[i] * body.cloud.volumes[i];
-        total += body.cloud.volumes[i];
+        cortex += theta[i] * model.cloud.volumes[i];
+        total += model.cloud.volumes[i];
     }
     return cortex / total;
 }
 
-void render_body(const std::filesystem::path& folder, const Body& body, const BodyQuality& quality)
+void render_body(const std::filesystem::path& folder, const Model& model, std::span<const double> theta,
+                 const BodyQuality& quality)
 {
-    const Tissue& tissue = body.tissue;
-    const std::vector<Mat3> rest(body.cloud.positions.size(), Mat3::identity());
-    const auto [back, front] = std::minmax_element(body.surface.vertices.begin(), body.surface.vertices.end(),
+    const TissueFields& tissue = model.tissue;
+    const std::vector<Mat3> rest(model.cloud.positions.size(), Mat3::identity());
+    const auto [back, front] = std::minmax_element(model.surface.vertices.begin(), model.surface.vertices.end(),
                                                    [](const Vec3& a, const Vec3& b) { return a.y < b.y; });
-    CutInput cut{.positions = body.cloud.positions,
-                 .origins = body.cloud.positions,
+    CutInput cut{.positions = model.cloud.positions,
+                 .origins = model.cloud.positions,
                  .F = rest,
-                 .theta = tissue.theta,
+                 .theta = theta,
                  .scalar = quality.volume_over_mean,
-                 .spacing = body.cloud.spacing,
-                 .surface_points = body.surface.vertices,
-                 .triangles = body.surface.triangles,
+                 .spacing = model.cloud.spacing,
+                 .surface_points = model.surface.vertices,
+                 .triangles = model.surface.triangles,
                  .axis = 1,
                  .coordinate = 0.5 * (back->y + front->y)};
     render_cut(folder / "cloud.png", cut, {"volume over mean", 0.0, 2.0}, "Cells of the particles");
@@ -154,13 +155,13 @@ void render_body(const std::filesystem::path& folder, const Body& body, const Bo
 
     const bool by_thickness = !tissue.thickness.empty();
     const std::vector<double> shown =
-        surface_values(body.cloud, by_thickness ? tissue.thickness : tissue.regional_rate);
+        surface_values(model.cloud, by_thickness ? tissue.thickness : tissue.regional_rate);
     const double high = *std::max_element(shown.begin(), shown.end());
     const std::array picture{
         SurfacePicture{folder / "surface.png",
                        shown,
                        {by_thickness ? "cortical thickness [mm]" : "regional growth", 0.0, std::max(high, 1e-3)}}};
-    render_surface(body.surface.vertices, body.surface.triangles, picture, "Body at rest");
+    render_surface(model.surface.vertices, model.surface.triangles, picture, "Body at rest");
     render_quality(folder / "quality.png", quality);
 }
 

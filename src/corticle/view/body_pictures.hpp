@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/model/body.hpp"
+#include "corticle/model/model.hpp"
 
 #include <array>
 #include <filesystem>
@@ -18,16 +18,18 @@ struct BodyQuality
                                           ///< reciprocal of the mean ratio
 };
 
-BodyQuality measure_body_quality(const Body& body);
+BodyQuality measure_body_quality(const Model& model);
 
 /// Share of the body's volume that is cortex [-].
-double cortex_share(const Body& body);
+/// @param theta  of the particles [-]
+double cortex_share(const Model& model, std::span<const double> theta);
 
 /// Names of the pictures that render_body draws.
 inline constexpr std::array body_pictures{"cloud.png", "layer.png", "normals.png", "surface.png", "quality.png"};
 
 /// Pictures of a prepared body: `cloud.png` (cells of the middle cut), `layer.png` (depth), `normals.png`, the surface
 /// (`surface.png`, by regional growth, or by thickness where a map gives it), and `quality.png` (histograms).
-void render_body(const std::filesystem::path& folder, const Body& body, const BodyQuality& quality);
+void render_body(const std::filesystem::path& folder, const Model& model, std::span<const double> theta,
+                 const BodyQuality& quality);
 
 } // namespace corticle

@@ -30,9 +30,9 @@ Options fem_options()
     return options;
 }
 
-Simulation rough_start(Body& body, const Options& options)
+Simulation rough_start(Model& body, const Options& options)
 {
-    Simulation simulation(body, options);
+    Simulation simulation(test::shared(body), options);
     State state;
     state.motion.x = test::perturbed(body.cloud.positions, 0.15 * body.cloud.spacing);
     state.motion.v.resize(state.motion.x.size());
@@ -48,11 +48,11 @@ TEST(FemSimulation, OneAndTwoThreadsGiveTheSameBitsFromTheMeshOn)
     const Options options = fem_options();
     const int threads = thread_count();
     set_thread_count(1);
-    Body body_of_one = prepare_body(options).body;
+    Model body_of_one = prepare_body(options).model;
     Simulation one = rough_start(body_of_one, options);
     take_steps(one, 40);
     set_thread_count(2);
-    Body body_of_two = prepare_body(options).body;
+    Model body_of_two = prepare_body(options).model;
     Simulation two = rough_start(body_of_two, options);
     take_steps(two, 40);
     set_thread_count(threads);
@@ -65,7 +65,7 @@ TEST(FemSimulation, GoesOnFromACheckpointAndABodyFileToTheSameBits)
     const Options options = fem_options();
     const TemporaryFolder folder;
     Preparation made = prepare_body(options);
-    Body& body = made.body;
+    Model& body = made.model;
     write_body(folder / "body.h5", made, options);
     Simulation whole = rough_start(body, options);
     take_steps(whole, 20);
@@ -75,8 +75,8 @@ TEST(FemSimulation, GoesOnFromACheckpointAndABodyFileToTheSameBits)
 
     Preparation made_again = read_body(folder / "body.h5", options);
     connect_body(options, made_again);
-    Body& read = made_again.body;
-    Simulation resumed(read, options);
+    Model& read = made_again.model;
+    Simulation resumed(test::shared(read), options);
     resumed.restore(from_checkpoint(checkpoint, read.cloud.positions.size(), "checkpoint.h5").state);
     take_steps(resumed, 20);
     expect_same_bits(whole, resumed);
@@ -94,8 +94,8 @@ TEST(FemSimulation, EnergyBooksOfGrowthBalance)
     options.elements = 10000;
     options.contact.enabled = false;
     options.dynamics.cfl = 0.3;
-    Body body = prepare_body(options).body;
-    Simulation simulation(body, options);
+    Model body = prepare_body(options).model;
+    Simulation simulation(test::shared(body), options);
     while (simulation.state().t < 0.1)
     {
         simulation.step(0.1);
@@ -110,12 +110,12 @@ TEST(FemBody, SharesItsSurfaceWithTheParticlesOfTheSameSpacing)
 {
     Options options;
     options.geometry.spacing_mm = 1.5;
-    const Body particles = prepare_body(options).body;
+    const Model particles = prepare_body(options).model;
     options.method = Method::fem;
-    const Body elements = prepare_body(options).body;
+    const Model elements = prepare_body(options).model;
     options.method = Method::tlsph;
     options.geometry.arrangement = Arrangement::mesh_nodes;
-    const Body nodes = prepare_body(options).body;
+    const Model nodes = prepare_body(options).model;
     EXPECT_EQ(particles.surface.vertices, elements.surface.vertices);
     EXPECT_NEAR(elements.cloud.spacing / 1.5, 1.0, 0.03);
     EXPECT_EQ(nodes.cloud.positions, elements.cloud.positions);
@@ -134,13 +134,13 @@ TEST(FemBody, TakesTheTetsOfAFileAsTheyAre)
     options.geometry.shape = Shape::file;
     options.geometry.file = (folder / "ball.msh").string();
     options.geometry.arrangement = Arrangement::tet_nodes;
-    const Body body = prepare_body(options).body;
+    const Model body = prepare_body(options).model;
     EXPECT_EQ(body.fem->elements.tets.size(), mesh.tets.size());
     EXPECT_EQ(body.cloud.positions.size(), mesh.vertices.size());
     EXPECT_NEAR(mesh_volume({body.fem->elements.X, body.fem->elements.tets}) / mesh_volume(mesh), 1.0, 1e-12);
     options.geometry.arrangement = Arrangement::body_fitted;
     options.elements = 6000;
-    EXPECT_NEAR(static_cast<double>(prepare_body(options).body.fem->elements.tets.size()) / 6000.0, 1.0, 0.1);
+    EXPECT_NEAR(static_cast<double>(prepare_body(options).model.fem->elements.tets.size()) / 6000.0, 1.0, 0.1);
 }
 
 } // namespace

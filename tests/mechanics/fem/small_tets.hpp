@@ -4,6 +4,7 @@
 #include "corticle/base/random.hpp"
 #include "corticle/mechanics/fem/solver.hpp"
 #include "geometry/simple_tets.hpp"
+#include "material/own_tissue.hpp"
 #include "mechanics/tlsph/small_body.hpp"
 #include "mesh/mesh_volume.hpp"
 
@@ -14,7 +15,7 @@ namespace corticle::test
 struct ElementBody
 {
     TetElements elements;
-    Tissue tissue;
+    OwnTissue tissue;
 };
 
 /// Elements of a mesh with tissue of one kind: no growth, white, normals along z.

@@ -19,13 +19,13 @@ struct Solid
     double spacing = 0.0;
     ElementBody tets;    ///< of the elements
     Particles particles; ///< of the particles
-    Tissue tissue;       ///< of the particles
+    OwnTissue tissue;    ///< of the particles
     std::unique_ptr<Discretization> method;
 };
 
-inline Tissue plain_tissue(std::size_t count, std::vector<double> volume, double bulk_modulus)
+inline OwnTissue plain_tissue(std::size_t count, std::vector<double> volume, double bulk_modulus)
 {
-    Tissue tissue;
+    OwnTissue tissue;
     tissue.options.bulk_modulus = bulk_modulus;
     tissue.options.barrier_J = 0.0;
     tissue.volume = std::move(volume);

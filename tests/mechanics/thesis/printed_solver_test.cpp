@@ -51,7 +51,7 @@ class PrintedForces : public testing::Test
         return J * (sigma * transpose(inverse(F)));
     }
 
-    Body body;
+    test::Body body;
     std::vector<Vec3> x;
     std::vector<Vec3> v;
     InternalResponse response;

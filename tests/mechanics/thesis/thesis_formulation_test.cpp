@@ -3,8 +3,9 @@
 #include "corticle/base/parallel.hpp"
 #include "corticle/config/case_file.hpp"
 #include "corticle/config/options.hpp"
-#include "corticle/prepare/body.hpp"
+#include "corticle/prepare/prepare.hpp"
 #include "corticle/record/checkpointing.hpp"
+#include "mechanics/tlsph/small_body.hpp"
 #include "model/same_bits.hpp"
 
 #include <gmock/gmock.h>
@@ -27,15 +28,15 @@ using test::take_steps;
 TEST(ThesisFormulation, GoesOnFromACheckpointToTheSameBitsOnAnyThreads)
 {
     const Options options = printed_case();
-    Body body = prepare_body(options).body;
+    Model body = prepare_body(options).model;
     const int threads = thread_count();
     set_thread_count(2);
-    Simulation whole(body, options);
+    Simulation whole(test::shared(body), options);
     take_steps(whole, 10);
     const Checkpoint checkpoint = to_checkpoint(whole.state(), {}, "case");
     take_steps(whole, 10);
     set_thread_count(1);
-    Simulation resumed(body, options);
+    Simulation resumed(test::shared(body), options);
     resumed.restore(from_checkpoint(checkpoint, body.cloud.positions.size(), "checkpoint.h5").state);
     take_steps(resumed, 10);
     set_thread_count(threads);
@@ -49,8 +50,8 @@ TEST(ThesisFormulation, GoesOnFromACheckpointToTheSameBitsOnAnyThreads)
 TEST(ThesisFormulation, AsPrintedTheBodyCollapsesBeforeItGrows)
 {
     const Options options = printed_case({"tissue.alpha_t=0.0"});
-    Body body = prepare_body(options).body;
-    Simulation simulation(body, options);
+    Model body = prepare_body(options).model;
+    Simulation simulation(test::shared(body), options);
     EXPECT_LT(simulation.internal().smallest_J, 0.5);
     EXPECT_GT(simulation.internal().elastic_energy, 1000.0);
     const auto i = static_cast<std::size_t>(body.cloud.surface_particles[0]);
@@ -69,8 +70,8 @@ TEST(ThesisFormulation, AsPrintedTheBodyCollapsesBeforeItGrows)
 TEST(ThesisFormulation, WithTheGradientCorrectedItRests)
 {
     const Options options = printed_case({"tissue.alpha_t=0.0", "thesis.gradient=corrected"});
-    Body body = prepare_body(options).body;
-    Simulation simulation(body, options);
+    Model body = prepare_body(options).model;
+    Simulation simulation(test::shared(body), options);
     take_steps(simulation, 20);
     for (std::size_t i = 0; i < body.cloud.positions.size(); ++i)
     {

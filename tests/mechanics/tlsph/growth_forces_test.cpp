@@ -26,7 +26,7 @@ class TlsphGrowth : public testing::TestWithParam<GrowthChoice>
     TlsphGrowth() : body(test::small_sphere())
     {
         const GrowthChoice& choice = GetParam();
-        Tissue& tissue = body.tissue;
+        auto& tissue = body.tissue;
         tissue.options.alpha_t = choice.alpha_t;
         tissue.options.alpha_r = choice.alpha_r;
         tissue.options.alpha_white = choice.alpha_white;
@@ -61,7 +61,7 @@ class TlsphGrowth : public testing::TestWithParam<GrowthChoice>
     }
 
     static constexpr double t = 0.4;
-    Body body;
+    test::Body body;
     std::vector<Vec3> x;
     std::vector<Vec3> scratch = std::vector<Vec3>(body.cloud.positions.size());
 };
@@ -127,7 +127,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(TlsphGrowthExactness, IsotropicGrowthOfTheWholeBodyIsFreeOfForceAndStress)
 {
-    Body body = test::small_sphere();
+    test::Body body = test::small_sphere();
     body.tissue.options.alpha_t = body.tissue.options.alpha_r = body.tissue.options.alpha_white = 0.9;
     const double t = 0.5;
     const double g = 1.45;
@@ -146,8 +146,8 @@ TEST(TlsphGrowthExactness, IsotropicGrowthOfTheWholeBodyIsFreeOfForceAndStress)
 
 TEST(TlsphGrowthExactness, PowerIncludesWhatAMovingLayerDoes)
 {
-    Body body = test::small_sphere();
-    Tissue& tissue = body.tissue;
+    test::Body body = test::small_sphere();
+    auto& tissue = body.tissue;
     tissue.options.thickness_rate_mm = 0.3;
     tissue.options.mu_cortex = 0.6;
     tissue.options.alpha_r = 0.2;
@@ -178,7 +178,7 @@ TEST(TlsphGrowthExactness, PowerIncludesWhatAMovingLayerDoes)
 
 TEST(TlsphGrowthExactness, TheGeneralLawWithPlainNumbersIsThePlainOne)
 {
-    Body body = test::small_sphere();
+    test::Body body = test::small_sphere();
     std::vector<Vec3> plain(body.cloud.positions.size());
     std::vector<Vec3> general(plain.size());
     const std::vector<Vec3> x = test::perturbed(body.cloud.positions, 0.05 * body.cloud.spacing);

@@ -3,7 +3,10 @@
 
 #include "corticle/base/random.hpp"
 #include "corticle/config/options.hpp"
-#include "corticle/prepare/body.hpp"
+#include "corticle/model/simulation.hpp"
+#include "corticle/prepare/prepare.hpp"
+
+#include "material/own_tissue.hpp"
 
 namespace corticle::test
 {
@@ -19,11 +22,40 @@ inline Options sphere_options(std::int64_t particles)
     return options;
 }
 
-/// A sphere of about 2,500 particles, irregular, prepared once for all tests; take a copy to change it.
-inline const Body& small_sphere()
+/// A body of particles whose tissue a test may change as it likes.
+struct Body
 {
-    static const Body body = prepare_body(sphere_options(2500)).body;
-    return body;
+    Body() = default;
+    Body(const Model& model, const SimulationOptions& options)
+        : cloud(model.cloud), surface(model.surface), tissue(model.tissue, options.tissue, cortex_size(options)),
+          particles(model.particles)
+    {
+        static_cast<TissueState&>(tissue) = start_tissue(model.tissue, options.tissue, tissue.size, options.time.start);
+    }
+
+    Cloud cloud;
+    TriangleMesh surface;
+    OwnTissue tissue;
+    Particles particles;
+};
+
+/// A sphere of about 2,500 particles, irregular, prepared once for all tests.
+inline std::shared_ptr<const Model> small_model()
+{
+    static const auto model = std::make_shared<const Model>(prepare_body(sphere_options(2500)).model);
+    return model;
+}
+
+/// The same as a body of its own.
+inline Body small_sphere()
+{
+    return {*small_model(), sphere_options(2500)};
+}
+
+/// A copy for simulations to share.
+inline std::shared_ptr<const Model> shared(const Model& model)
+{
+    return std::make_shared<const Model>(model);
 }
 
 /// A vector with components in [-1, 1) for a counter.

@@ -26,14 +26,14 @@ using test::small_sphere;
 
 const Mat3 stretch{{{1.2, 0.05, -0.1}, {0.1, 0.9, 0.2}, {-0.15, 0.1, 1.1}}};
 
-double force_scale(const Body& body)
+double force_scale(const test::Body& body)
 {
     return body.cloud.spacing * body.cloud.spacing;
 }
 
 TEST(TlsphExactness, RestIsFreeOfStrainAndForce)
 {
-    const Body& body = small_sphere();
+    const test::Body& body = small_sphere();
     TlsphSolver solver(body.particles, body.tissue);
     std::vector<Vec3> forces(body.cloud.positions.size());
     const InternalResponse response = solver.evaluate(body.cloud.positions, 0.0, forces);
@@ -49,7 +49,7 @@ TEST(TlsphExactness, RestIsFreeOfStrainAndForce)
 
 TEST(TlsphExactness, AffineMotionIsReproducedEverywhere)
 {
-    const Body& body = small_sphere();
+    const test::Body& body = small_sphere();
     TlsphSolver solver(body.particles, body.tissue);
     const std::vector<Vec3> x = affine(body.cloud.positions, stretch, {3.0, -7.0, 2.0});
     for (const Mat3& F : solver.deformation_gradients(x))
@@ -65,7 +65,7 @@ TEST(TlsphExactness, AffineMotionIsReproducedEverywhere)
 
 TEST(TlsphExactness, RigidRotationCostsNothing)
 {
-    const Body& body = small_sphere();
+    const test::Body& body = small_sphere();
     TlsphSolver solver(body.particles, body.tissue);
     const Mat3 Q = test::rotation(Vec3{2, -1, 2} / 3.0, 2.3);
     const std::vector<Vec3> x = affine(body.cloud.positions, Q, {1.0, 2.0, 3.0});
@@ -79,7 +79,7 @@ TEST(TlsphExactness, RigidRotationCostsNothing)
 
 TEST(TlsphExactness, FreeIsotropicGrowthIsFreeOfForceAndStress)
 {
-    Body body = small_sphere();
+    test::Body body = small_sphere();
     std::fill(body.tissue.normal.begin(), body.tissue.normal.end(), Vec3{}); // G = g I
     std::fill(body.tissue.theta.begin(), body.tissue.theta.end(), 1.0);
     const double t = 0.4;
@@ -102,7 +102,7 @@ TEST(TlsphExactness, FreeIsotropicGrowthIsFreeOfForceAndStress)
 
 TEST(TlsphExactness, BothMomentaAreConserved)
 {
-    const Body& body = small_sphere();
+    const test::Body& body = small_sphere();
     TlsphSolver solver(body.particles, body.tissue);
     const std::vector<Vec3> x =
         perturbed(affine(body.cloud.positions, stretch, {5.0, 0.0, -3.0}), 0.1 * body.cloud.spacing);
@@ -113,7 +113,7 @@ TEST(TlsphExactness, BothMomentaAreConserved)
 
 TEST(TlsphExactness, OneAndTwoThreadsGiveTheSameBits)
 {
-    const Body& body = small_sphere();
+    const test::Body& body = small_sphere();
     TlsphSolver solver(body.particles, body.tissue);
     const std::vector<Vec3> x = perturbed(body.cloud.positions, 0.1 * body.cloud.spacing);
     const int threads = thread_count();
@@ -134,7 +134,7 @@ TEST(TlsphExactness, OneAndTwoThreadsGiveTheSameBits)
 
 TEST(TlsphExactness, StiffestRateIsTheWaveSpeedOverTheSmallestStretch)
 {
-    Body body = small_sphere();
+    test::Body body = small_sphere();
     std::fill(body.tissue.theta.begin(), body.tissue.theta.end(), 0.0); // white matter everywhere, no growth
     TlsphSolver solver(body.particles, body.tissue);
     std::vector<Vec3> forces(body.cloud.positions.size());
@@ -150,7 +150,7 @@ TEST(TlsphExactness, StiffestRateIsTheWaveSpeedOverTheSmallestStretch)
 
 TEST(TlsphExactness, AnInvertedParticleIsReported)
 {
-    const Body& body = small_sphere();
+    const test::Body& body = small_sphere();
     TlsphSolver solver(body.particles, body.tissue);
     std::vector<Vec3> forces(body.cloud.positions.size());
     EXPECT_EQ(solver.evaluate(affine(body.cloud.positions, Mat3::diagonal(-1, 1, 1)), 0.0, forces).invalid_at, 0);

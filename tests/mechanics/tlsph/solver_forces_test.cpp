@@ -40,7 +40,7 @@ class TlsphForces : public testing::TestWithParam<Situation>
         return response.elastic_energy + response.zero_mode_energy;
     }
 
-    Body body;
+    test::Body body;
     std::vector<Vec3> x;
     std::vector<Vec3> scratch = std::vector<Vec3>(body.cloud.positions.size());
 };
@@ -107,13 +107,13 @@ TEST_P(TlsphForces, AgreeWithPlainLoops)
         }
         const Mat3 L = inverse(shape);
         const Mat3 F = moment * L;
-        const Tissue& tissue = body.tissue;
+        const auto& tissue = body.tissue;
         const MaterialPoint point =
             material_point(tissue.options, tissue.theta[i], tissue.regional_rate[i], GetParam().t);
         const double g = point.growth;
         const Mat3 G = g * Mat3::identity() + (1.0 - g) * outer(tissue.normal[i], tissue.normal[i]);
-        const NeoHookean law{point.shear_modulus, point.bulk_modulus, tissue.options.barrier_J};
-        const ElasticResponse elastic = law.respond(F * inverse(G));
+        const NeoHookean law{tissue.options.barrier_J};
+        const ElasticResponse elastic = elastic_response(law, point.shear_modulus, point.bulk_modulus, F * inverse(G));
         const Mat3 P = determinant(G) * (elastic.stress * transpose(inverse(G)));
         zeta[i] = p.options.zeta * point.shear_modulus * g * g;
         M[i] = p.volume[i] * (P * L) - zeta[i] * F;

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
+#include <limits>
 
 namespace corticle
 {
@@ -17,61 +19,75 @@ constexpr double least_reach = 0.08;    ///< [spacings]
 constexpr double largest_reach = 0.8;   ///< [spacings]
 constexpr double steps_of_reach = 30.0; ///< like the last one, that a vertex makes within its reach
 
+/// A float below a number.
+float rounded_down(double a)
+{
+    const auto near = static_cast<float>(a);
+    return near - std::abs(near) * std::numeric_limits<float>::epsilon();
+}
+
 } // namespace
 
 NearPairs::NearPairs(std::span<const Triangle> triangles, std::span<const Vec3> rest, double range, double spacing)
-    : parts_(triangles, rest), range_(range), spacing_(spacing), reach_(rest.size()), step_(rest.size()),
-      vertex_path_(rest.size()), triangle_path_(parts_.triangles().size()), edge_path_(parts_.edges().size())
+    : parts_(triangles, rest), range_(range), spacing_(spacing), x_(rest.begin(), rest.end()), reach_(rest.size()),
+      step_(rest.size()), vertex_path_(rest.size()), triangle_path_(parts_.triangles().size()),
+      edge_path_(parts_.edges().size())
 {
-    update(rest);
+    find_candidates();
+    measure();
 }
 
 double NearPairs::path_of(const VertexTriangle& pair) const
 {
-    return vertex_path_[static_cast<std::size_t>(pair.vertex)] +
-           triangle_path_[static_cast<std::size_t>(pair.triangle)];
+    return vertex_path_[pair.vertex] + triangle_path_[pair.triangle];
 }
 
 double NearPairs::path_of(const EdgeEdge& pair) const
 {
-    return edge_path_[static_cast<std::size_t>(pair.first)] + edge_path_[static_cast<std::size_t>(pair.second)];
+    return edge_path_[pair.first] + edge_path_[pair.second];
 }
 
-/// Sets the paths at which candidates just found may be near.
 template <class Pair>
-auto NearPairs::watching(std::span<const Pair> pairs, Watch<Pair>& watched) const
+NearPairs::Watched NearPairs::watched(const Pair& pair) const
 {
-    watched.due.resize(pairs.size());
-    return each(std::ssize(pairs), [this, pairs, &watched](std::int64_t k)
-                { watched.due[k] = path_of(pairs[k]) + pairs[k].distance - range_; });
+    const auto& [first, second, distance] = pair;
+    return {first, second, rounded_down(path_of(pair) + distance - range_)};
+}
+
+template <class Pair>
+auto NearPairs::watching(std::span<const Pair> pairs, Watch<Pair>& watch) const
+{
+    watch.candidates.resize(pairs.size());
+    return each(std::ssize(pairs), [this, pairs, &watch](std::int64_t k) { watch.candidates[k] = watched(pairs[k]); });
 }
 
 /// Measures the candidates that may be near.
 template <class Pair>
-auto NearPairs::measuring(std::span<const Vec3> x, std::span<const Pair> pairs, Watch<Pair>& watched) const
+auto NearPairs::measuring(Watch<Pair>& watch) const
 {
-    watched.near.resize(static_cast<std::size_t>(block_count(std::ssize(pairs))));
-    return BlockLoop{std::ssize(pairs), [this, x, pairs, &watched](std::int64_t begin, std::int64_t end)
+    watch.near.resize(static_cast<std::size_t>(block_count(std::ssize(watch.candidates))));
+    return BlockLoop{std::ssize(watch.candidates), [this, &watch](std::int64_t begin, std::int64_t end)
                      {
                          const double rounding = 1e-9 * range_; // more than additions round off
-                         std::array<std::int64_t, parallel_block> places;
+                         std::array<Watched*, parallel_block> due;
                          std::size_t count = 0;
                          for (std::int64_t k = begin; k < end; ++k)
                          {
-                             places[count] = k;
-                             count += watched.due[k] < path_of(pairs[k]) + rounding ? 1 : 0;
+                             Watched& pair = watch.candidates[k];
+                             due[count] = &pair;
+                             count += pair.due < path_of(Pair{pair.first, pair.second, 0.0}) + rounding ? 1 : 0;
                          }
-                         std::vector<Pair>& near = watched.near[begin / parallel_block];
+                         std::vector<Pair>& near = watch.near[begin / parallel_block];
                          near.resize(count);
                          for (std::size_t m = 0; m < count; ++m)
                          {
-                             near[m] = pairs[places[m]];
+                             near[m] = {due[m]->first, due[m]->second, 0.0};
                          }
-                         parts_.measure(x, near);
+                         parts_.measure(x_, near);
                          std::size_t kept = 0;
                          for (std::size_t m = 0; m < count; ++m)
                          {
-                             watched.due[places[m]] = path_of(near[m]) + near[m].distance - range_;
+                             *due[m] = watched(near[m]);
                              near[kept] = near[m];
                              kept += near[m].distance < range_ ? 1 : 0;
                          }
@@ -79,19 +95,24 @@ auto NearPairs::measuring(std::span<const Vec3> x, std::span<const Pair> pairs, 
                      }};
 }
 
-/// Notes how far the vertices have moved, and says whether one of them has left its reach.
-bool NearPairs::follow(std::span<const Vec3> x)
+/// Notes where the vertices are and how far they have moved, and says whether one of them has left its reach.
+bool NearPairs::follow(std::span<const Vec3> x, std::span<const std::int32_t> places)
 {
     std::atomic<bool> has_left = false;
-    parallel_runs(BlockLoop{std::ssize(x), [&](std::int64_t begin, std::int64_t end)
+    parallel_runs(BlockLoop{std::ssize(x_), [&](std::int64_t begin, std::int64_t end)
                             {
                                 std::int64_t outside = 0;
                                 for (std::int64_t k = begin; k < end; ++k)
                                 {
-                                    step_[k] = norm(x[k] - last_x_[k]);
+                                    const Vec3 now = x[places[k]];
+                                    step_[k] = norm(now - x_[k]);
                                     vertex_path_[k] += step_[k];
-                                    last_x_[k] = x[k];
-                                    outside += squared_norm(x[k] - listed_at_[k]) > reach_[k] * reach_[k] ? 1 : 0;
+                                    x_[k] = now;
+                                    // A way within the reach ends there, too.
+                                    if (vertex_path_[k] > reach_[k])
+                                    {
+                                        outside += norm(now - listed_at_[k]) > reach_[k] ? 1 : 0;
+                                    }
                                 }
                                 if (outside > 0)
                                 {
@@ -113,29 +134,33 @@ bool NearPairs::follow(std::span<const Vec3> x)
     return has_left;
 }
 
-/// Finds the candidates anew when one may be missing.
-void NearPairs::refresh_candidates(std::span<const Vec3> x)
+void NearPairs::find_candidates()
 {
-    if (listed_at_.size() == x.size() && !follow(x))
+    for (std::size_t k = 0; k < reach_.size(); ++k)
     {
-        return;
+        reach_[k] = std::min(largest_reach * spacing_, least_reach * spacing_ + steps_of_reach * step_[k]);
     }
-    parallel_for(std::ssize(x),
-                 [&](std::int64_t k) {
-                     reach_[k] = std::min(largest_reach * spacing_, least_reach * spacing_ + steps_of_reach * step_[k]);
-                 });
-    parts_.find_candidates(x, range_, reach_, candidates_);
+    parts_.find_candidates(x_, range_, reach_, candidates_);
+    std::ranges::fill(vertex_path_, 0.0);
+    std::ranges::fill(triangle_path_, 0.0);
+    std::ranges::fill(edge_path_, 0.0);
     parallel_runs(watching<VertexTriangle>(candidates_.vertex_triangle, vertices_),
                   watching<EdgeEdge>(candidates_.edge_edge, edges_));
-    listed_at_.assign(x.begin(), x.end());
-    last_x_ = listed_at_;
+    listed_at_ = x_;
 }
 
-void NearPairs::update(std::span<const Vec3> x)
+void NearPairs::measure()
 {
-    refresh_candidates(x);
-    parallel_runs(measuring<VertexTriangle>(x, candidates_.vertex_triangle, vertices_),
-                  measuring<EdgeEdge>(x, candidates_.edge_edge, edges_));
+    parallel_runs(measuring(vertices_), measuring(edges_));
+}
+
+void NearPairs::update(std::span<const Vec3> x, std::span<const std::int32_t> places)
+{
+    if (follow(x, places))
+    {
+        find_candidates();
+    }
+    measure();
 }
 
 } // namespace corticle

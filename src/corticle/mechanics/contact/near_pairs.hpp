@@ -19,34 +19,44 @@ class NearPairs
     /// @param range    [mm]   @param spacing  particle spacing [mm]
     NearPairs(std::span<const Triangle> triangles, std::span<const Vec3> rest, double range, double spacing);
 
-    /// Finds the near pairs at positions x.
-    void update(std::span<const Vec3> x);
+    /// Finds the near pairs at positions x of a body, in which the vertices have these places.
+    void update(std::span<const Vec3> x, std::span<const std::int32_t> places);
 
     const SurfaceParts& parts() const { return parts_; }
     double range() const { return range_; }
-    /// Positions of the last update [mm].
-    std::span<const Vec3> positions() const { return last_x_; }
+    /// Of the vertices, at the last update [mm].
+    std::span<const Vec3> positions() const { return x_; }
     /// With their distance at these positions.
     const Blocks<VertexTriangle>& vertex_triangle() const { return vertices_.near; }
     const Blocks<EdgeEdge>& edge_edge() const { return edges_.near; }
 
   private:
-    /// What is known of candidates, and those of them that are near. The path of a pair is the length of way its two
-    /// parts have moved: a pair measured once need not be measured again before that has grown by what it was too far.
+    /// A candidate. The path of a pair is the length of way its two parts have moved: a pair measured once need not be
+    /// measured again before that has grown by what it was too far.
+    struct Watched
+    {
+        std::int32_t first;
+        std::int32_t second;
+        float due; ///< path at which it may be near, or a little less [mm]
+    };
+    /// The candidates, and those of them that are near.
     template <class Pair>
     struct Watch
     {
-        std::vector<double> due; ///< path at which each candidate may be near [mm]
-        Blocks<Pair> near;       ///< of blocks of the candidates, in their order
+        std::vector<Watched> candidates;
+        Blocks<Pair> near; ///< of blocks of the candidates, in their order
     };
-    template <class Pair>
-    auto watching(std::span<const Pair> pairs, Watch<Pair>& watched) const;
-    template <class Pair>
-    auto measuring(std::span<const Vec3> x, std::span<const Pair> pairs, Watch<Pair>& watched) const;
     double path_of(const VertexTriangle& pair) const;
     double path_of(const EdgeEdge& pair) const;
-    bool follow(std::span<const Vec3> x);
-    void refresh_candidates(std::span<const Vec3> x);
+    template <class Pair>
+    Watched watched(const Pair& pair) const;
+    bool follow(std::span<const Vec3> x, std::span<const std::int32_t> places);
+    void find_candidates();
+    template <class Pair>
+    auto watching(std::span<const Pair> pairs, Watch<Pair>& watch) const;
+    template <class Pair>
+    auto measuring(Watch<Pair>& watch) const;
+    void measure();
 
     SurfaceParts parts_;
     double range_;
@@ -54,11 +64,11 @@ class NearPairs
     Candidates candidates_;
     Watch<VertexTriangle> vertices_;
     Watch<EdgeEdge> edges_;
-    std::vector<Vec3> listed_at_; ///< positions the candidates were found at
-    std::vector<double> reach_;   ///< how far each vertex may be from there before they are found anew [mm]
-    std::vector<Vec3> last_x_;
+    std::vector<Vec3> x_;
+    std::vector<Vec3> listed_at_;       ///< positions the candidates were found at
+    std::vector<double> reach_;         ///< how far each vertex may be from there before they are found anew [mm]
     std::vector<double> step_;          ///< how far each vertex has moved since the last update [mm]
-    std::vector<double> vertex_path_;   ///< sums of these [mm]
+    std::vector<double> vertex_path_;   ///< sums of these since the candidates were found [mm]
     std::vector<double> triangle_path_; ///< sums of the largest of the three corners [mm]
     std::vector<double> edge_path_;     ///< of both ends [mm]
 };

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 
 namespace corticle
 {
@@ -36,10 +37,12 @@ class SurfaceContact
     /// @param spacing   particle spacing h [mm]
     /// @param frequency wave speed over spacing: a spring of stiffness m · frequency² is about as stiff as the tissue
     ///                  [1 / time]
+    /// @param places    of the vertices in the positions and forces of a body; as they are numbered where it is empty
     SurfaceContact(std::span<const Triangle> triangles, std::span<const Vec3> rest, std::vector<double> masses,
-                   double spacing, double frequency, const ContactOptions& options);
+                   double spacing, double frequency, const ContactOptions& options,
+                   std::vector<std::int32_t> places = {});
 
-    /// Adds the contact forces at positions x to `forces` (both per surface vertex).
+    /// Adds the contact forces at positions x to `forces`, both of the body.
     ContactResponse evaluate(std::span<const Vec3> x, std::span<Vec3> forces);
 
     /// Sum of the barriers at the positions last evaluated: a potential [mu_w mm³].
@@ -55,52 +58,65 @@ class SurfaceContact
         return travel_limit_->apply(near_, displacements);
     }
 
+    /// The pair that the largest rate of the last evaluation comes from, in words: its particles, by their places in
+    /// the body, distance, gap and position. Some pair must repel.
+    std::string stiffest_pair() const;
+
     /// Distance below which surfaces repel [mm].
     double activation_distance() const { return near_.range(); }
 
   private:
     /// Those that repel their closest: the vertices or the edges.
+    struct Push
+    {
+        std::array<double, 4> weight; ///< of the force on each vertex
+        Vec3 force;                   ///< on the first part [mu_w mm²], and sqrt(k) in the fourth lane
+        std::array<std::int32_t, 4> vertex;
+    };
     template <class Pair>
     struct Owners
     {
         std::vector<Barrier> barrier;
-        std::array<std::vector<Pair>, 2> closest; ///< near pair of each, in both halves of them; then of all, first
-        std::array<double, 2> least{};            ///< distance in both halves of the near pairs [mm]
-        std::vector<std::int32_t> repelling;      ///< those whose closest is nearer than their gap, ascending
+        /// One bit for each that has a near pair in one half of them, and the closest of these; once joined, the
+        /// closest of all is in the first.
+        std::array<std::vector<std::uint64_t>, 2> met;
+        std::array<std::vector<Pair>, 2> closest;
+        std::array<double, 2> least{}; ///< distance in both halves of the near pairs [mm]
+        /// Of every block of owners those whose closest is nearer than their gap, in ascending order from the place of
+        /// the block's first; and how many.
+        std::vector<std::int32_t> repelling;
+        std::vector<Push> pushes;
+        std::vector<std::int64_t> count;
     };
-    struct Push
-    {
-        std::array<std::int32_t, 4> vertex;
-        std::array<double, 4> weight; ///< of the force on each vertex
-        Vec3 force;                   ///< on the first part [mu_w mm²]
-        double root_stiffness;
-    };
-    /// What acts on a vertex.
-    struct Load
-    {
-        Vec3 force;
-        double root_stiffness = 0.0; ///< r: sum of |w| sqrt(k) of the pushes
-    };
+    template <class Pair>
+    void make_room(Owners<Pair>& owners) const;
     template <class Pair>
     void set_gaps(const NearPairs::Blocks<Pair>& near, Owners<Pair>& owners) const;
     template <class Pair>
     void choose(const NearPairs::Blocks<Pair>& near, std::size_t half, Owners<Pair>& owners) const;
+    void find_closest();
     template <class Pair>
-    void settle(Owners<Pair>& owners) const;
-    void find_repelling();
+    std::int64_t settle(std::int64_t begin, std::int64_t end, Owners<Pair>& owners, std::span<Pair> repelling) const;
     template <class Pair>
-    auto working_out(std::span<const Vec3> x, const Owners<Pair>& owners, Push* pushes) const;
+    auto working_out(Owners<Pair>& owners) const;
     double least_distance() const;
-    void add_up();
+    template <class Pair>
+    static void add_up(const Owners<Pair>& owners, std::int64_t first, std::int64_t last, std::vector<Vec3>& loads);
+    void add_up(std::int64_t active);
+    double row_of(const Push& push) const;
+    template <class Pair>
+    auto bounding(const Owners<Pair>& owners, std::span<double> largest) const;
     double largest_rate() const;
 
     NearPairs near_;
     std::vector<double> masses_;
+    std::vector<std::int32_t> places_;
     Owners<VertexTriangle> vertices_;
     Owners<EdgeEdge> edges_;
     std::optional<TravelLimit> travel_limit_; ///< set once the gaps are known
-    std::vector<Push> pushes_;
-    std::array<std::vector<Load>, 2> loads_; ///< of both halves of the pushes; once added up, the first is of all
+    /// Forces of both halves of the pushes on each vertex, and sum of |w| sqrt(k) in the fourth lane; zero in between.
+    std::array<std::vector<Vec3>, 2> loads_;
+    std::vector<double> rate_of_vertex_; ///< r over the mass
 };
 
 } // namespace corticle

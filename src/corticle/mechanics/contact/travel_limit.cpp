@@ -114,19 +114,33 @@ std::span<const std::int32_t> TravelLimit::apply(const NearPairs& near, std::spa
 void TravelLimit::stay_with_the_mean(std::span<Vec3> displacements, double farthest)
 {
     mean_ = mean_of(displacements);
-    longest_way_ = 0.0;
+    longest_way_ = parallel_reduce(
+        std::ssize(displacements), 0.0,
+        [&](std::int64_t begin, std::int64_t end)
+        {
+            double longest = 0.0;
+            for (std::int64_t k = begin; k < end; ++k)
+            {
+                way_[k] = norm(displacements[k] - mean_);
+                longest = std::max(way_[k], longest);
+            }
+            return longest;
+        },
+        [](double& longest, double part) { longest = std::max(part, longest); });
+    if (longest_way_ <= farthest)
+    {
+        return;
+    }
     for (std::size_t k = 0; k < displacements.size(); ++k)
     {
-        const Vec3 beside = displacements[k] - mean_;
-        way_[k] = norm(beside);
         if (way_[k] > farthest)
         {
-            displacements[k] = mean_ + (farthest / way_[k]) * beside;
+            displacements[k] = mean_ + (farthest / way_[k]) * (displacements[k] - mean_);
             way_[k] = farthest;
             changed_.push_back(static_cast<std::int32_t>(k));
         }
-        longest_way_ = way_[k] <= longest_way_ ? longest_way_ : way_[k];
     }
+    longest_way_ = farthest;
 }
 
 std::int32_t TravelLimit::group_of(std::int32_t vertex) const
@@ -164,74 +178,75 @@ bool TravelLimit::may_close(const FourVertices& vertex, const Pair& pair) const
     return !(pair.distance - way[0] - way[1] >= required_separation(pair.distance, least_of(pair))); // NaN too
 }
 
-/// Notes those of the near pairs whose parts would come too close.
+/// Sets `found` to those of the near pairs of a block whose parts would come too close.
 template <class Pair>
-void TravelLimit::find_closing(const NearPairs& near, const NearPairs::Blocks<Pair>& blocks,
-                               std::span<const Vec3> displacements)
+void TravelLimit::find_closing(const NearPairs& near, const std::vector<Pair>& pairs,
+                               std::span<const Vec3> displacements, std::vector<FourVertices>& found) const
 {
-    const std::size_t blocks_before = closing_.size();
-    closing_.resize(blocks_before + blocks.size());
-    const auto find = [&](const std::vector<Pair>& pairs, std::vector<FourVertices>& found)
+    found.clear();
+    std::vector<Pair> suspects;
+    for (const Pair& pair : pairs)
     {
-        std::vector<Pair> suspects;
-        for (const Pair& pair : pairs)
+        if (!(pair.distance - 2.0 * longest_way_ >= required_separation(pair.distance, least_of(pair))))
         {
-            if (!(pair.distance - 2.0 * longest_way_ >= required_separation(pair.distance, least_of(pair))))
+            const FourVertices vertex = near.parts().vertices_of(pair);
+            if (may_close(vertex, pair) && !in_one_group(vertex))
             {
-                const FourVertices vertex = near.parts().vertices_of(pair);
-                if (may_close(vertex, pair) && !in_one_group(vertex))
-                {
-                    suspects.push_back(pair);
-                }
+                suspects.push_back(pair);
             }
         }
-        std::vector<ClosestPoints> points(suspects.size());
-        const std::span<const Vec3> x = near.positions();
-        near.parts().locate(x, suspects, points);
-        for (std::size_t k = 0; k < suspects.size(); ++k)
+    }
+    std::vector<ClosestPoints> points(suspects.size());
+    const std::span<const Vec3> x = near.positions();
+    near.parts().locate(x, suspects, points);
+    for (std::size_t k = 0; k < suspects.size(); ++k)
+    {
+        const FourVertices vertex = near.parts().vertices_of(suspects[k]);
+        const Vec3 direction = normalized(points[k].between);
+        const std::size_t first = size_of_first(suspects[k]);
+        const double now = separation_along(direction, vertex, first, [&](std::size_t i) { return x[i]; });
+        const double then =
+            separation_along(direction, vertex, first, [&](std::size_t i) { return x[i] + displacements[i]; });
+        // Written so that a NaN counts as closing.
+        if (!(now > 0.0 && then >= required_separation(now, least_of(suspects[k]))))
         {
-            const FourVertices vertex = near.parts().vertices_of(suspects[k]);
-            const Vec3 direction = normalized(points[k].between);
-            const std::size_t first = size_of_first(suspects[k]);
-            const double now = separation_along(direction, vertex, first, [&](std::size_t i) { return x[i]; });
-            const double then =
-                separation_along(direction, vertex, first, [&](std::size_t i) { return x[i] + displacements[i]; });
-            // Written so that a NaN counts as closing.
-            if (!(now > 0.0 && then >= required_separation(now, least_of(suspects[k]))))
-            {
-                found.push_back(vertex);
-            }
+            found.push_back(vertex);
         }
-    };
-    parallel_blocks(
-        std::ssize(blocks),
-        [&](std::int64_t block, std::int64_t)
-        { find(blocks[static_cast<std::size_t>(block)], closing_[blocks_before + static_cast<std::size_t>(block)]); },
-        1);
+    }
 }
 
 /// Joins the vertices of pairs that would come too close. @return whether there are any
 bool TravelLimit::join_closing(const NearPairs& near, std::span<const Vec3> displacements)
 {
-    closing_.clear();
-    find_closing(near, near.vertex_triangle(), displacements);
-    find_closing(near, near.edge_edge(), displacements);
+    const auto& of_vertices = near.vertex_triangle();
+    const auto& of_edges = near.edge_edge();
+    closing_.resize(of_vertices.size() + of_edges.size());
+    const auto finding = [&](const auto& blocks, std::size_t first)
+    {
+        return BlockLoop{std::ssize(blocks),
+                         [&, first](std::int64_t block, std::int64_t)
+                         { find_closing(near, blocks[block], displacements, closing_[first + block]); },
+                         1};
+    };
+    parallel_runs(finding(of_vertices, 0), finding(of_edges, of_vertices.size()));
+    if (std::ranges::all_of(closing_, [](const auto& found) { return found.empty(); }))
+    {
+        return false;
+    }
     if (grouped_.empty())
     {
         wanted_.assign(displacements.begin(), displacements.end());
     }
-    bool any = false;
     for_each_of(closing_,
                 [&](const FourVertices& vertex)
                 {
-                    any = true;
                     for (const std::int32_t v : vertex)
                     {
                         join(vertex[0], v);
                         grouped_.push_back(v);
                     }
                 });
-    return any;
+    return true;
 }
 
 /// Gives every group the mean displacement of its vertices, weighted with their masses.

@@ -50,8 +50,8 @@ class TravelLimit
     double least_of(const EdgeEdge& pair) const;
     void stay_with_the_mean(std::span<Vec3> displacements, double farthest);
     template <class Pair>
-    void find_closing(const NearPairs& near, const NearPairs::Blocks<Pair>& blocks,
-                      std::span<const Vec3> displacements);
+    void find_closing(const NearPairs& near, const std::vector<Pair>& pairs, std::span<const Vec3> displacements,
+                      std::vector<FourVertices>& found) const;
     template <class Pair>
     bool may_close(const FourVertices& vertex, const Pair& pair) const;
     bool in_one_group(const FourVertices& vertex) const;

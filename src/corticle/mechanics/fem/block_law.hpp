@@ -2,6 +2,7 @@
 #pragma once
 
 #include "corticle/material/neo_hookean.hpp"
+#include "corticle/material/response.hpp"
 #include "corticle/material/wide_tissue.hpp"
 #include "corticle/mechanics/fem/elements.hpp"
 
@@ -11,12 +12,22 @@ namespace corticle
 {
 
 /// What the nodes of a tet give it: sums over its four corners.
-struct NodalSums
+template <RealLike Real>
+struct BasicNodalSums
 {
-    WideLanes pressure; ///< K U'(Ja) [mu_w]
-    WideLanes density;  ///< U(Ja): volumetric energy per bulk modulus [-]
-    WideLanes work;     ///< K U'(Ja) Ja [mu_w]
+    Real pressure; ///< K U'(Ja) [mu_w]
+    Real density;  ///< U(Ja): volumetric energy per bulk modulus [-]
+    Real work;     ///< K U'(Ja) Ja [mu_w]
 };
+using NodalSums = BasicNodalSums<WideLanes>;
+
+/// Power of growth and of moving layers on the volumetric energy of the nodes of a tet, per grown volume [mu_w].
+template <bool plain = false, RealLike Real>
+CORTICLE_INLINE Real nodal_power(const BasicMaterialPoint<Real>& point, const BasicNodalSums<Real>& nodal)
+{
+    const Real swelling = swelling_rate<plain>(point);
+    return 0.25 * ((swelling * point.bulk_modulus + point.bulk_rate) * nodal.density - swelling * nodal.work);
+}
 
 /// What a tet gives.
 struct TetResponse
@@ -73,46 +84,31 @@ CORTICLE_INLINE WideLanes volumes(const WideEdges& edge)
     return dot(edge[0], cross(edge[1], edge[2])) / 6.0;
 }
 
-/// det G
-CORTICLE_INLINE WideLanes growth_volume(const BasicMaterialPoint<WideLanes>& point)
-{
-    return point.growth * point.growth * point.radial_growth;
-}
-
 /// Forces, energy and growth power of the tets where nothing is extrapolated.
+template <bool plain>
 CORTICLE_INLINE TetResponse respond(const TetBlock& block, const WideEdges& edge, const WideMat3& F,
                                     const WideTissue& tissue, const NodalSums& nodal)
 {
     const auto& point = tissue.point;
     const WideLanes V = in_lanes(block.volume);
-    const WideLanes J_g = growth_volume(point);
-    const WideMat3 inverse_G = inverse_growth_tensor(point.growth, tissue.normal, point.radial_growth);
-    const WideMat3 F_e = F * inverse_G;
-    const WideMat3 cofactor_e = cofactor(F_e);
-    const WideLanes J_e = dot(F_e.column[0], cofactor_e.column[0]);
-    const BasicNeoHookean<WideLanes> law{point.shear_modulus, point.bulk_modulus, 0.0};
-    const DeviatoricResponse<WideLanes> shape = law.respond_to_shape(F_e, cofactor_e, J_e);
+    const WideLanes J_g = growth_volume<plain>(point);
+    const ElasticDeformation<WideLanes> e = elastic_deformation<plain>(point, tissue.normal, F);
+    const DeviatoricResponse<WideLanes> shape =
+        NeoHookean{}.respond_to_shape(point.shear_modulus, e.F_e, e.cofactor_e, e.J_e);
 
     TetResponse out;
-    const WideMat3 P = (V * J_g) * (shape.stress * inverse_G) + (0.25 * nodal.pressure * V) * cofactor(F);
+    const WideMat3 P = (V * J_g) * (shape.stress * e.inverse_G) + (0.25 * nodal.pressure * V) * cofactor(F);
     for (int a = 0; a < 3; ++a)
     {
         out.force[a] = -(P * shape_gradient(block, a));
     }
-
-    const WideLanes growth = point.growth_rate / point.growth;
-    const WideLanes radial_growth = point.radial_growth_rate / point.radial_growth;
-    const WideLanes swelling = 2.0 * growth + radial_growth; // dJ_g/dt / J_g
-    const WideLanes radial = dot(shape.stress * tissue.normal, F_e * tissue.normal);
-    const WideLanes tangential = contract(shape.stress, F_e) - radial;
     out.power = V * J_g *
-                (swelling * shape.energy - growth * tangential - radial_growth * radial +
-                 shape.energy * point.shear_rate / point.shear_modulus +
-                 0.25 * ((swelling * point.bulk_modulus + point.bulk_rate) * nodal.density - swelling * nodal.work));
+                (growth_power<plain>(point, tissue.normal, e.F_e, {shape.energy, WideLanes{}, shape.stress}) +
+                 nodal_power<plain>(point, nodal));
     out.energy = V * J_g * shape.energy;
     const WideLanes six_v = 6.0 * volumes(edge);
     out.J = six_v / (6.0 * V);
-    out.flatness = 2.0 * J_e / contract(F_e, F_e); // s_3 = J_e / (s_1 s_2), and s_1 s_2 <= (s_1² + s_2²) / 2
+    out.flatness = 2.0 * e.J_e / contract(e.F_e, e.F_e); // s_3 = J_e / (s_1 s_2), and s_1 s_2 <= (s_1² + s_2²) / 2
 
     // Twice the areas of the faces opposite to the corners, inwards, are 6 v times the gradients now. The largest
     // eigenvalue of their sum of squares by the mean and deviation of the three (Wolkowicz & Styan 1980).
@@ -123,8 +119,8 @@ CORTICLE_INLINE TetResponse respond(const TetBlock& block, const WideEdges& edge
     const WideMat3 T = (outer(a0, a0) + outer(a1, a1)) + (outer(a2, a2) + outer(a3, a3));
     const WideLanes mean = trace(T) / 3.0;
     const WideLanes variance = larger<WideLanes>(contract(T, T) / 3.0 - mean * mean, WideLanes{});
-    out.stiffness = V * J_g * (point.bulk_modulus + 4.0 / 3.0 * point.shear_modulus) *
-                    (mean + square_root(2.0 * variance)) / (six_v * six_v);
+    out.stiffness =
+        V * J_g * longitudinal_modulus(point) * (mean + square_root<WideLanes>(2.0 * variance)) / (six_v * six_v);
     return out;
 }
 

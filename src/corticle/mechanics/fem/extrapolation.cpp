@@ -75,7 +75,7 @@ SingularValues singular_values(const Mat3& F)
     return result;
 }
 
-ExtrapolatedResponse extrapolated_deviatoric(const SingularValues& elastic, double shear_modulus, double bulk_modulus)
+ElasticResponse extrapolated_deviatoric(const SingularValues& elastic, double shear_modulus, double bulk_modulus)
 {
     std::array<double, 3> c;
     std::array<double, 3> d;
@@ -86,14 +86,14 @@ ExtrapolatedResponse extrapolated_deviatoric(const SingularValues& elastic, doub
     }
     const double scale = shear_modulus * std::pow(c[0] * c[1] * c[2], -2.0 / 3.0);
     const double squares = c[0] * c[0] + c[1] * c[1] + c[2] * c[2];
-    ExtrapolatedResponse result;
-    result.shear_energy = 0.5 * (scale * squares - 3.0 * shear_modulus);
+    ElasticResponse result;
+    result.deviatoric_energy = 0.5 * (scale * squares - 3.0 * shear_modulus);
     Vec3 slope; // dW / dstretch
     for (int i = 0; i < 3; ++i)
     {
         const double slope_i = scale * (c[i] - squares / (3.0 * c[i])); // W_i(c)
-        result.shear_energy += slope_i * d[i];
-        result.bulk_energy += 0.5 * bulk_modulus * d[i] * d[i];
+        result.deviatoric_energy += slope_i * d[i];
+        result.volumetric_energy += 0.5 * bulk_modulus * d[i] * d[i];
         slope[i] += slope_i + bulk_modulus * d[i];
         for (int j = 0; j < 3; ++j)
         {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/base/mat3.hpp"
+#include "corticle/material/material.hpp"
 
 namespace corticle
 {
@@ -22,12 +22,7 @@ SingularValues singular_values(const Mat3& F);
 /// of 0.1, so that flat and inverted elements keep a finite energy and a force that opens them (Tallinen et al. 2016,
 /// in their published code): with c_i = max(stretch_i, 0.1) and d_i = stretch_i - c_i,
 /// W = W(c) + sum_i W_i(c) d_i + K/2 sum_i d_i².
-struct ExtrapolatedResponse
-{
-    double shear_energy = 0.0; ///< the part with mu [mu_w]
-    double bulk_energy = 0.0;  ///< the part with K [mu_w]
-    Mat3 stress;               ///< dW/dF_e [mu_w]
-};
-ExtrapolatedResponse extrapolated_deviatoric(const SingularValues& elastic, double shear_modulus, double bulk_modulus);
+/// @return the parts of the energy with mu and with K, as if they were a law's deviatoric and volumetric energy
+ElasticResponse extrapolated_deviatoric(const SingularValues& elastic, double shear_modulus, double bulk_modulus);
 
 } // namespace corticle

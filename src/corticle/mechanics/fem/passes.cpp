@@ -43,7 +43,7 @@ CORTICLE_INLINE void sum_volumes(const Chunk& chunk, const Vec3* x, NodalVolume*
         WideEdges edge;
         gather_edges(block, local, edge);
         const auto point = tissue_of<plain>(chunk, group, WideMat3::identity()).point; // whatever the normal
-        const WideLanes grown = growth_volume(point) * in_lanes(block.volume);
+        const WideLanes grown = growth_volume<plain>(point) * in_lanes(block.volume);
         const WideVec3 quarter = 0.25 * WideVec3{volumes(edge), grown, point.bulk_modulus * grown};
         group.scatter_rows(quarter,
                            [&](int l, const Lanes& row)
@@ -64,7 +64,7 @@ struct OneTet
     double volume;    ///< V [mm³]
     MaterialPoint point;
     Vec3 normal;
-    double pressure, density, work; ///< NodalSums
+    BasicNodalSums<double> nodal;
 };
 
 /// What an extrapolated tet gives, as TetResponse has it.
@@ -79,19 +79,16 @@ struct OneResponse
 std::optional<OneResponse> extrapolate(const OneTet& tet)
 {
     const MaterialPoint& point = tet.point;
-    const double g = point.growth;
-    const double g_r = point.radial_growth;
-    const Mat3 inverse_G = inverse_growth_tensor(g, tet.normal, g_r);
-    const Mat3 F_e = tet.F * inverse_G;
-    const SingularValues elastic = singular_values(F_e);
+    const ElasticDeformation<double> e = elastic_deformation(point, tet.normal, tet.F);
+    const SingularValues elastic = singular_values(e.F_e);
     if (!(elastic.stretch.z < extrapolated_stretch))
     {
         return std::nullopt;
     }
-    const auto [shear_energy, bulk_energy, stress] =
-        extrapolated_deviatoric(elastic, point.shear_modulus, point.bulk_modulus);
-    const double grown = tet.volume * g * g * g_r;
-    const Mat3 P = grown * (stress * inverse_G) + (0.25 * tet.pressure * tet.volume) * cofactor(tet.F);
+    const ElasticResponse continued = extrapolated_deviatoric(elastic, point.shear_modulus, point.bulk_modulus);
+    const double grown = tet.volume * growth_volume(point);
+    const Mat3 P =
+        grown * (continued.stress * e.inverse_G) + (0.25 * tet.nodal.pressure * tet.volume) * cofactor(tet.F);
     OneResponse out;
     double squared_gradients = 0.0;
     Vec3 sum;
@@ -102,20 +99,11 @@ std::optional<OneResponse> extrapolate(const OneTet& tet)
         sum += tet.gradient[a];
     }
     squared_gradients += squared_norm(sum);
-    const double growth = point.growth_rate / g;
-    const double radial_growth = point.radial_growth_rate / g_r;
-    const double swelling = 2.0 * growth + radial_growth;
-    const double energy = shear_energy + bulk_energy;
-    const double radial = dot(stress * tet.normal, F_e * tet.normal);
-    out.energy = grown * energy;
-    out.power =
-        grown *
-        (swelling * energy - growth * (contract(stress, F_e) - radial) - radial_growth * radial +
-         shear_energy * point.shear_rate / point.shear_modulus + bulk_energy * point.bulk_rate / point.bulk_modulus +
-         0.25 * ((swelling * point.bulk_modulus + point.bulk_rate) * tet.density - swelling * tet.work));
+    out.energy = grown * (continued.deviatoric_energy + continued.volumetric_energy);
+    out.power = grown * (growth_power(point, tet.normal, e.F_e, continued) + nodal_power(point, tet.nodal));
     // The tangent of the extrapolated law stays below about ten times that of the tissue at rest.
     constexpr double stiffening = 10.0;
-    out.stiffness = grown * stiffening * (point.bulk_modulus + 4.0 / 3.0 * point.shear_modulus) * squared_gradients;
+    out.stiffness = grown * stiffening * longitudinal_modulus(point) * squared_gradients;
     return out;
 }
 
@@ -137,9 +125,7 @@ OneTet tet_in_lane(const TetBlock& block, const WideMat3& F, const WideTissue& t
     tet.point = {point.growth[l],        point.radial_growth[l], point.growth_rate[l], point.radial_growth_rate[l],
                  point.shear_modulus[l], point.bulk_modulus[l],  point.shear_rate[l],  point.bulk_rate[l]};
     tet.normal = vector_at(tissue.normal, l);
-    tet.pressure = nodal.pressure[l];
-    tet.density = nodal.density[l];
-    tet.work = nodal.work[l];
+    tet.nodal = {nodal.pressure[l], nodal.density[l], nodal.work[l]};
     return tet;
 }
 
@@ -209,7 +195,7 @@ CORTICLE_INLINE void sum_forces(const Chunk& chunk, const Vec3* x, const NodalPr
         const WideVec3 values = (gather_corner(block, local_values, 0) + gather_corner(block, local_values, 1)) +
                                 (gather_corner(block, local_values, 2) + gather_corner(block, local_values, 3));
         const NodalSums nodal{values.x, values.y, values.z};
-        TetResponse out = respond(block, edge, F, tissue, nodal);
+        TetResponse out = respond<plain>(block, edge, F, tissue, nodal);
         bool any_flat = false;
         for_lanes(~(out.flatness > extrapolated_stretch), [&](int) { any_flat = true; });
         if (any_flat)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/mechanics/fem/solver.hpp"
 
-#include "corticle/base/lanes.hpp"
 #include "corticle/base/parallel.hpp"
+#include "corticle/base/simd.hpp"
 #include "corticle/material/neo_hookean.hpp"
 #include "corticle/mechanics/fem/passes.hpp"
 
@@ -48,6 +48,7 @@ InternalResponse FemSolver::evaluate_volumes(std::span<const Vec3> x, double t)
                         sum_chunk(chunk, x.data(), volume_parts_.data() + chunk.first_part);
                     });
     const double barrier_J = tissue_.options.barrier_J;
+    const NeoHookean law{barrier_J};
     return parallel_reduce(
         std::ssize(x), InternalResponse{},
         [&](std::int64_t begin, std::int64_t end)
@@ -57,13 +58,12 @@ InternalResponse FemSolver::evaluate_volumes(std::span<const Vec3> x, double t)
             {
                 const NodalVolume volume = joined(elements_, i, volume_parts_.data());
                 const double ratio = volume.current / volume.grown;
-                const NeoHookean law{0.0, 1.0, barrier_J};
                 if (!std::isfinite(ratio) || (ratio <= 0.0 && barrier_J > 0.0))
                 {
                     sum.invalid_at = sum.invalid_at < 0 ? i : sum.invalid_at;
                     continue;
                 }
-                const auto [density, slope] = law.respond_to_volume(ratio);
+                const auto [density, slope] = law.respond_to_volume(1.0, ratio);
                 const double pressure = volume.bulk / volume.grown * slope;
                 node_values_[i] = {pressure, density, pressure * ratio};
                 sum.elastic_energy += volume.bulk * density;
@@ -160,7 +160,7 @@ std::string FemSolver::diagnosis(std::int64_t node, std::span<const Vec3> x) con
     const std::span<const Tet> tet(&corners, 1);
     return fmt::format("element {}: {}, corners {}, {}, {}, {}; volume of node {} now {:.4g} mm³, at rest {:.4g} mm³",
                        worst,
-                       describe_point(centroids(x, tet)[0], centroids(elements_.X, tet)[0], tissue_.depth[worst],
+                       describe_point(centroids(x, tet)[0], centroids(elements_.X, tet)[0], tissue_.fields.depth[worst],
                                       deformation_gradient(elements_, worst, x)),
                        corners[0], corners[1], corners[2], corners[3], node,
                        node_volumes({{x.begin(), x.end()}, elements_.tets})[node], elements_.node_volume[node]);

@@ -14,13 +14,20 @@ namespace corticle
 class FemSolver final : public Discretization
 {
   public:
-    /// Keeps references to both: they must outlive the solver. @param tissue  of the tets, at their centroids
+    /// Keeps references to the first and to what the tissue refers to: they must outlive the solver. @param tissue  of
+    /// the tets, at their centroids
     FemSolver(const TetElements& elements, const Tissue& tissue);
 
     InternalResponse evaluate(std::span<const Vec3> x, double t, std::span<Vec3> forces) override;
 
     /// Mean of F over the adjacent tets, weighted with their volume.
     std::vector<Mat3> deformation_gradients(std::span<const Vec3> x) const override;
+
+    std::int64_t node_of(std::int64_t tet) const override { return elements_.tets[static_cast<std::size_t>(tet)][0]; }
+    Vec3 place_of(std::int64_t tet, std::span<const Vec3> x) const override
+    {
+        return centroids(x, std::span(elements_.tets).subspan(static_cast<std::size_t>(tet), 1)).front();
+    }
 
     std::string diagnosis(std::int64_t node, std::span<const Vec3> x) const override;
 
@@ -29,7 +36,7 @@ class FemSolver final : public Discretization
     InternalResponse evaluate_volumes(std::span<const Vec3> x, double t);
 
     const TetElements& elements_;
-    const Tissue& tissue_;
+    Tissue tissue_;
     std::vector<NodalVolume> volume_parts_;  ///< per entry of chunk_node
     std::vector<Vec3> force_parts_;          ///< the same; the lane sums the stiffness
     std::vector<NodalPressure> node_values_; ///< per node

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "corticle/base/mat3.hpp"
+#include "corticle/base/simd.hpp"
 #include "corticle/mechanics/tlsph/pair_blocks.hpp"
 
 #include <cstring>

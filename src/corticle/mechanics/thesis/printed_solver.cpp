@@ -3,6 +3,7 @@
 
 #include "corticle/base/parallel.hpp"
 #include "corticle/mechanics/thesis/printed_law.hpp"
+#include "corticle/mechanics/tlsph/particle_law.hpp"
 #include "corticle/mechanics/tlsph/response.hpp"
 
 #include <limits>
@@ -53,20 +54,6 @@ CORTICLE_INLINE Mat3 moment_of(const NeighborSum& sum, const Vec3& x_i, const Ve
     return sum.matrix - outer(sum.vector, X_i) - outer(x_i, weighted_sum);
 }
 
-CORTICLE_INLINE double zero_energy_stiffness(double zeta, const MaterialPoint& point)
-{
-    const double ratio = point.radial_growth <= point.growth ? point.growth / point.radial_growth : 1.0;
-    return zeta * point.shear_modulus * ratio * ratio * point.radial_growth;
-}
-
-/// Rate of the same over itself.
-CORTICLE_INLINE double zero_energy_stiffening(const MaterialPoint& point)
-{
-    const double radial = point.radial_growth_rate / point.radial_growth;
-    const double flattening = 2.0 * (point.growth_rate / point.growth - radial);
-    return point.shear_rate / point.shear_modulus + radial + (point.radial_growth <= point.growth ? flattening : 0.0);
-}
-
 /// Stress, energies and the record of particle i; its own part of its force.
 CORTICLE_INLINE void respond(const PassInput& in, std::int64_t i, const NeighborSum& sum, const PassOutput& out,
                              InternalResponse& total)
@@ -93,23 +80,22 @@ CORTICLE_INLINE void respond(const PassInput& in, std::int64_t i, const Neighbor
     }
 
     const MaterialPoint point = in.tissue.point(i, in.t);
-    const NeoHookean law{point.shear_modulus, point.bulk_modulus, in.tissue.options.barrier_J};
+    const NeoHookean law{in.tissue.options.barrier_J};
     const Vec3 n = in.tissue.growth_normal(i, F);
-    const GrownResponse grown = in.options.growth == GrowthEntry::multiplied ? respond_multiplied(law, point, n, F)
-                                                                             : respond_divided(law, point, n, F);
-    const double zeta = zero_energy_stiffness(particles.options.zeta, point);
+    const Response grown =
+        in.options.growth == GrowthEntry::multiplied ? respond_multiplied(law, point, n, F) : respond(law, point, n, F);
+    const double grown_volume = volume * grown.growth_volume;
+    const double zeta = control_stiffness(particles.options.zeta, point);
     const Mat3 best_F = moment * particles.correction[i];
     const Vec3 summed_x = sum.vector - b_i.lane * x_i;
     const double squares =
         sum.scalar - 2.0 * dot(x_i, sum.vector) + b_i.lane * squared_norm(x_i) - contract(moment, best_F);
 
-    total.elastic_energy += volume * grown.energy;
+    total.elastic_energy += grown_volume * grown.energy;
     total.zero_mode_energy += 0.5 * zeta * squares;
-    total.growth_power += volume * grown.growth_power + 0.5 * zeta * squares * zero_energy_stiffening(point);
-    total.stiffest_rate =
-        std::max(total.stiffest_rate, point.growth * std::sqrt(point.bulk_modulus + 4.0 / 3.0 * point.shear_modulus) *
-                                          largest_compression(cofactor_F, J));
-    total.barrier_count += grown.elastic_volume < law.barrier_J ? 1 : 0;
+    total.growth_power += grown_volume * grown.power + 0.5 * zeta * squares * control_stiffening(point);
+    total.stiffest_rate = std::max(total.stiffest_rate, grown.wave_speed * largest_compression(cofactor_F, J));
+    total.barrier_count += grown.J_e < law.barrier_J ? 1 : 0;
 
     Mat3 M = (-zeta) * best_F;
     Vec3 own = M * b_i + zeta * summed_x;
@@ -176,11 +162,10 @@ CORTICLE_EVERY_ISA void sum_block(const NeighborGroups& groups, std::int64_t gro
 
 std::vector<double> wave_speeds(const Tissue& tissue)
 {
-    std::vector<double> speeds(tissue.theta.size());
+    std::vector<double> speeds(tissue.state.theta.size());
     for (std::size_t i = 0; i < speeds.size(); ++i)
     {
-        const MaterialPoint point = tissue.point(i, 0.0);
-        speeds[i] = std::sqrt(point.bulk_modulus + 4.0 / 3.0 * point.shear_modulus);
+        speeds[i] = std::sqrt(longitudinal_modulus(tissue.point(i, 0.0)));
     }
     return speeds;
 }

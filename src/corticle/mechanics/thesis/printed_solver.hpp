@@ -18,7 +18,7 @@ namespace corticle
 class PrintedSolver final : public Discretization
 {
   public:
-    /// Keeps references to both: they must outlive the solver.
+    /// Keeps references to the first and to what the tissue refers to: they must outlive the solver.
     PrintedSolver(const Particles& particles, const Tissue& tissue, const ThesisOptions& options);
 
     /// As printed the forces are the gradient of no energy; elastic_energy is then that of the stress.
@@ -36,7 +36,7 @@ class PrintedSolver final : public Discretization
     void add_corrected_differences(std::span<Vec3> forces);
 
     const Particles& particles_;
-    const Tissue& tissue_;
+    Tissue tissue_;
     ThesisOptions options_;
     Vec3 origin_; ///< amid the body; records hold positions from here [mm]
     NeighborGroups groups_;

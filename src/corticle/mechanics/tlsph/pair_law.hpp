@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/base/lanes.hpp"
 #include "corticle/base/mat3.hpp"
 
 // What pairs contribute to F and to the forces, and what the sums over the neighbours of one particle (pair_sums.hpp)
@@ -47,7 +46,7 @@ CORTICLE_INLINE DeformationSums<Real> deformation_sums(const BasicPairTerms<Real
                                                        const BasicVec3<Real>& x, const BasicVec3<Real>& weighted_sum)
 {
     return {sum.matrix - outer(sum.vector, X) - outer(x, weighted_sum), sum.vector - weighted_sum.lane * x,
-            sum.vector.lane - 2.0 * dot(x, sum.vector) + weighted_sum.lane * squared_norm(x)};
+            sum.vector.lane - ScalarOf<Real>(2.0) * dot(x, sum.vector) + weighted_sum.lane * squared_norm(x)};
 }
 
 /// What the force pass reads of a neighbour: two cache lines.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "corticle/base/simd.hpp"
 #include "corticle/mechanics/tlsph/pair_blocks.hpp"
 #include "corticle/mechanics/tlsph/pair_law.hpp"
 

@@ -9,8 +9,8 @@ namespace corticle
 std::string describe_particle(const Particles& particles, const Tissue& tissue, std::int64_t i, const Vec3& x,
                               const Mat3& F)
 {
-    return fmt::format("particle {}: {}, {} neighbours", i, describe_point(x, particles.X[i], tissue.depth[i], F),
-                       particles.pairs.size(i));
+    return fmt::format("particle {}: {}, {} neighbours", i,
+                       describe_point(x, particles.X[i], tissue.fields.depth[i], F), particles.pairs.size(i));
 }
 
 } // namespace corticle

@@ -7,16 +7,24 @@
 #include "corticle/mechanics/tlsph/pair_law.hpp"
 #include "corticle/mechanics/tlsph/particles.hpp"
 
+#include <memory>
+
 namespace corticle
 {
+
+class DeformationPass;
 
 /// Total-Lagrangian SPH: internal forces of the particles for given positions and growth time.
 /// Particles are nodes and material points at once.
 class TlsphSolver final : public Discretization
 {
   public:
-    /// Keeps references to both: they must outlive the solver.
+    /// Keeps references to the first and to what the tissue refers to: they must outlive the solver. The law is
+    /// neo-Hookean.
     TlsphSolver(const Particles& particles, const Tissue& tissue);
+    /// With another law: see deformation_pass.hpp.
+    TlsphSolver(const Particles& particles, const Tissue& tissue, std::unique_ptr<const DeformationPass> deformation);
+    ~TlsphSolver() override;
 
     InternalResponse evaluate(std::span<const Vec3> x, double t, std::span<Vec3> forces) override;
 
@@ -26,7 +34,8 @@ class TlsphSolver final : public Discretization
 
   private:
     const Particles& particles_;
-    const Tissue& tissue_;
+    Tissue tissue_;
+    std::unique_ptr<const DeformationPass> deformation_;
     LargeVector<ForceRecord> records_;
     PerThread<std::vector<PairTerms>> terms_; ///< of the block at hand
 };

@@ -3,7 +3,7 @@
 
 #include "corticle/cloud/neighbors.hpp"
 #include "corticle/geometry/remesh.hpp"
-#include "corticle/model/body.hpp"
+#include "corticle/model/model.hpp"
 #include "corticle/prepare/options.hpp"
 #include "corticle/prepare/source_reports.hpp"
 
@@ -29,7 +29,7 @@ struct PreparationReport
 /// A body and how it was made.
 struct Preparation
 {
-    Body body;
+    Model model;
     PreparationReport report;
 };
 

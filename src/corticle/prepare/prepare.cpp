@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/prepare/body.hpp"
+#include "corticle/prepare/prepare.hpp"
 
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
@@ -27,15 +27,8 @@ namespace corticle
 namespace
 {
 
-/// The size by which the cortex thins, if it does.
-ReferenceSize thinning_size(const PreparationOptions& options)
-{
-    return {options.time.clock, options.size.thin_cortex ? options.size.law : LengthLaw::none,
-            options.time.start_week.value_or(0.0)};
-}
-
 /// Depth and normal of every place from the closest point of the surface.
-void set_depth(const SurfaceTree& tree, std::span<const Vec3> places, Tissue& tissue)
+void set_depth(const SurfaceTree& tree, std::span<const Vec3> places, TissueFields& tissue)
 {
     tissue.depth.resize(places.size());
     tissue.normal.resize(places.size());
@@ -49,7 +42,7 @@ void set_depth(const SurfaceTree& tree, std::span<const Vec3> places, Tissue& ti
 }
 
 BodyMaps set_maps(const MapOptions& options, const TriangleMesh& map_surface, std::span<const Vec3> places,
-                  Tissue& tissue)
+                  TissueFields& tissue)
 {
     BodyMaps maps = read_body_maps(options, map_surface, places);
     tissue.mapped_rate = std::move(maps.growth);
@@ -62,15 +55,15 @@ BodyMaps set_maps(const MapOptions& options, const TriangleMesh& map_surface, st
 /// Nodes of tets as particles; the tets themselves become elements where the method asks for them.
 void take_nodes(const PreparationOptions& options, TetCloud nodes, Preparation& made)
 {
-    Body& body = made.body;
-    body.cloud = std::move(nodes.cloud);
-    body.surface = std::move(nodes.surface);
+    Model& model = made.model;
+    model.cloud = std::move(nodes.cloud);
+    model.surface = std::move(nodes.surface);
     made.report.remesh = nodes.remesh;
     if (options.method == Method::fem)
     {
-        body.fem.emplace();
-        body.fem->elements =
-            make_elements(body.cloud.positions, ordered_tets(body.cloud.positions, nodes.tets), body.cloud.spacing);
+        model.fem.emplace();
+        model.fem->elements =
+            make_elements(model.cloud.positions, ordered_tets(model.cloud.positions, nodes.tets), model.cloud.spacing);
         return;
     }
     std::ranges::move(nodes.warnings, std::back_inserter(made.report.warnings));
@@ -79,21 +72,21 @@ void take_nodes(const PreparationOptions& options, TetCloud nodes, Preparation& 
 /// Surface and particles or tets of the options' arrangement; the surface's vertices are particles.
 void set_cloud(const PreparationOptions& options, const BodySource& source, Preparation& made)
 {
-    Body& body = made.body;
+    Model& model = made.model;
     const GeometryOptions& geometry = options.geometry;
     const auto [spacing, particles] = resolve_resolution(options, source.volume, source.area);
     if (geometry.arrangement == Arrangement::body_fitted || geometry.arrangement == Arrangement::mesh_nodes)
     {
-        body.surface = geometry.shape == Shape::file
-                           ? remesh_isotropic(source.surface, edge_per_spacing * spacing, &made.report.remesh)
-                           : make_ellipsoid(semi_axes(geometry), edge_per_spacing * spacing);
+        model.surface = geometry.shape == Shape::file
+                            ? remesh_isotropic(source.surface, edge_per_spacing * spacing, &made.report.remesh)
+                            : make_ellipsoid(semi_axes(geometry), edge_per_spacing * spacing);
         if (options.method == Method::tlsph && geometry.arrangement == Arrangement::body_fitted)
         {
-            body.cloud = fill_surface(body.surface, {spacing, static_cast<std::uint64_t>(geometry.seed)});
+            model.cloud = fill_surface(model.surface, {spacing, static_cast<std::uint64_t>(geometry.seed)});
             return;
         }
         const RemeshReport remesh = made.report.remesh;
-        take_nodes(options, cloud_from_tets(tetrahedralize(body.surface, particles)), made);
+        take_nodes(options, cloud_from_tets(tetrahedralize(model.surface, particles)), made);
         made.report.remesh = remesh;
         return;
     }
@@ -114,25 +107,25 @@ void set_cloud(const PreparationOptions& options, const BodySource& source, Prep
 }
 
 /// What the thesis does instead, where the options ask for it.
-void apply_thesis_choices(const PreparationOptions& options, Body& body)
+void apply_thesis_choices(const PreparationOptions& options, Model& model)
 {
     const GeometryOptions& geometry = options.geometry;
-    const std::vector<Vec3>& X = body.cloud.positions;
+    const std::vector<Vec3>& X = model.cloud.positions;
     if (geometry.volumes == VolumeRule::neighbour_count)
     {
-        const double total = std::accumulate(body.cloud.volumes.begin(), body.cloud.volumes.end(), 0.0);
-        body.cloud.volumes = neighbor_count_volumes(X, support_mm(options.tlsph, body.cloud.spacing), total);
+        const double total = std::accumulate(model.cloud.volumes.begin(), model.cloud.volumes.end(), 0.0);
+        model.cloud.volumes = neighbor_count_volumes(X, support_mm(options.tlsph, model.cloud.spacing), total);
     }
     if (geometry.normals == NormalRule::divisions)
     {
-        body.tissue.normal = division_normals(X, triangle_normal_lines(body.surface),
-                                              static_cast<std::int32_t>(geometry.normal_divisions), extents_centre(X));
+        model.tissue.normal = division_normals(X, triangle_normal_lines(model.surface),
+                                               static_cast<std::int32_t>(geometry.normal_divisions), extents_centre(X));
     }
 }
 
 /// Regional growth as it is mapped, times the imperfection. @param thickness  of the cortex [mm]
 void set_regional_rate(const PreparationOptions& options, double thickness, std::span<const Vec3> places,
-                       Tissue& tissue)
+                       TissueFields& tissue)
 {
     tissue.regional_rate = tissue.mapped_rate;
     const double amplitude = imperfection_amplitude(options);
@@ -145,72 +138,67 @@ void set_regional_rate(const PreparationOptions& options, double thickness, std:
     }
 }
 
-/// The cortex at the start, and the growth that lies behind it. @param volumes  of the places
-void start_tissue(const PreparationOptions& options, std::span<const Vec3> nodes, std::span<const Vec3> places,
-                  std::vector<double> volumes, Tissue& tissue)
-{
-    tissue.options = options.tissue;
-    tissue.volume = std::move(volumes);
-    if (options.tissue.layer != Layer::binary || options.tissue.lambda == 0.0)
-    {
-        tissue.size = thinning_size(options);
-        require_cortex(options, places, tissue);
-        tissue.set_layer(options.time.start);
-        tissue.theta_is_fixed = options.tissue.thickness_rate_mm == 0.0 && tissue.size.law == LengthLaw::none;
-    }
-    else if (options.geometry.shape == Shape::file || options.geometry.volumes == VolumeRule::neighbour_count)
-    {
-        // Volumes by counts say nothing about the layer's.
-        tissue.theta =
-            ellipsoid_layer_by_centres(places, fitted_semi_axes(nodes), options.tissue.lambda, extents_centre(nodes));
-    }
-    else
-    {
-        tissue.theta = ellipsoid_layer(places, tissue.volume, semi_axes(options.geometry), options.tissue.lambda);
-    }
-    tissue.start_growth(options.time.start);
-}
-
-void connect_particles(const PreparationOptions& options, Preparation& made)
-{
-    Body& body = made.body;
-    const SurfaceTree tree(body.surface.vertices, body.surface.triangles);
-    const double support = support_mm(options.tlsph, body.cloud.spacing);
-    const Neighbors pairs = options.tlsph.kernel_mm > 0.0
-                                ? find_pairs_within(body.cloud.positions, support)
-                                : find_neighbors(body.cloud, tree, support, &made.report.visibility);
-    made.report.neighbors_mean =
-        static_cast<double>(pairs.index.size()) / static_cast<double>(body.cloud.positions.size());
-    body.particles = make_particles(body.cloud, pairs, options.tlsph);
-}
-
-/// Thickness of the cortex where eq. 24 defines it, along the shortest semi-axis [mm].
-double thickness_by_lambda(const PreparationOptions& options, const Body& body)
-{
-    const auto axes =
-        options.geometry.shape == Shape::file ? fitted_semi_axes(body.cloud.positions) : semi_axes(options.geometry);
-    return (1.0 - std::sqrt(options.tissue.lambda)) * *std::min_element(axes.begin(), axes.end());
-}
-
 bool has_layer_by_lambda(const PreparationOptions& options)
 {
     return options.tissue.layer == Layer::binary && options.tissue.lambda > 0.0;
 }
 
+/// What is left to know of the tissue: volumes, and the cortex where it does not follow from the depth.
+void complete_tissue(const PreparationOptions& options, std::span<const Vec3> nodes, std::span<const Vec3> places,
+                     std::vector<double> volumes, TissueFields& tissue)
+{
+    tissue.volume = std::move(volumes);
+    if (!has_layer_by_lambda(options))
+    {
+        require_cortex(options, places, tissue);
+    }
+    else if (options.geometry.shape == Shape::file || options.geometry.volumes == VolumeRule::neighbour_count)
+    {
+        // Volumes by counts say nothing about the layer's.
+        tissue.given_theta =
+            ellipsoid_layer_by_centres(places, fitted_semi_axes(nodes), options.tissue.lambda, extents_centre(nodes));
+    }
+    else
+    {
+        tissue.given_theta = ellipsoid_layer(places, tissue.volume, semi_axes(options.geometry), options.tissue.lambda);
+    }
+}
+
+void connect_particles(const PreparationOptions& options, Preparation& made)
+{
+    Model& model = made.model;
+    const SurfaceTree tree(model.surface.vertices, model.surface.triangles);
+    const double support = support_mm(options.tlsph, model.cloud.spacing);
+    const Neighbors pairs = options.tlsph.kernel_mm > 0.0
+                                ? find_pairs_within(model.cloud.positions, support)
+                                : find_neighbors(model.cloud, tree, support, &made.report.visibility);
+    made.report.neighbors_mean =
+        static_cast<double>(pairs.index.size()) / static_cast<double>(model.cloud.positions.size());
+    model.particles = make_particles(model.cloud, pairs, options.tlsph);
+}
+
+/// Thickness of the cortex where eq. 24 defines it, along the shortest semi-axis [mm].
+double thickness_by_lambda(const PreparationOptions& options, const Model& model)
+{
+    const auto axes =
+        options.geometry.shape == Shape::file ? fitted_semi_axes(model.cloud.positions) : semi_axes(options.geometry);
+    return (1.0 - std::sqrt(options.tissue.lambda)) * *std::min_element(axes.begin(), axes.end());
+}
+
 /// Where the cortex is `thickness` thick by the case, in the reference state at growth time t [mm].
 double thickness_at(const PreparationOptions& options, double thickness, double t)
 {
-    return (thickness + options.tissue.thickness_rate_mm * t) / thinning_size(options).scale(t);
+    return (thickness + options.tissue.thickness_rate_mm * t) / cortex_size(options).scale(t);
 }
 
 /// Smallest thickness of the cortex during the run [mm in the reference state].
-double least_thickness(const PreparationOptions& options, const Body& body)
+double least_thickness(const PreparationOptions& options, const Model& model)
 {
     if (has_layer_by_lambda(options))
     {
-        return thickness_by_lambda(options, body);
+        return thickness_by_lambda(options, model);
     }
-    const std::vector<double>& local = body.tissue.thickness;
+    const std::vector<double>& local = model.tissue.thickness;
     const double thickness =
         local.empty() ? options.tissue.thickness_mm : *std::min_element(local.begin(), local.end());
     return std::min(thickness_at(options, thickness, options.time.start),
@@ -218,13 +206,13 @@ double least_thickness(const PreparationOptions& options, const Body& body)
 }
 
 /// Mean thickness of the cortex as the run begins, wherever it ends [mm in the reference state].
-double mean_thickness(const PreparationOptions& options, const Body& body)
+double mean_thickness(const PreparationOptions& options, const Model& model)
 {
     if (has_layer_by_lambda(options))
     {
-        return thickness_by_lambda(options, body);
+        return thickness_by_lambda(options, model);
     }
-    const std::vector<double>& local = body.tissue.thickness;
+    const std::vector<double>& local = model.tissue.thickness;
     const double thickness = local.empty()
                                  ? options.tissue.thickness_mm
                                  : std::accumulate(local.begin(), local.end(), 0.0) / static_cast<double>(local.size());
@@ -281,61 +269,61 @@ Preparation arrange_body(const PreparationOptions& options)
 {
     BodySource source = read_body_source(options.geometry);
     Preparation made;
-    Body& body = made.body;
+    Model& model = made.model;
     made.report.source = source.kind;
     made.report.notes = std::move(source.notes);
     made.report.warnings = std::move(source.warnings);
     made.report.inputs = std::move(source.reports);
     made.report.input_vertices = std::ssize(source.surface.vertices);
     set_cloud(options, source, made);
-    const SurfaceTree tree(body.surface.vertices, body.surface.triangles);
-    set_depth(tree, body.cloud.positions, body.tissue);
-    for (const std::int32_t particle : body.cloud.surface_particles)
+    const SurfaceTree tree(model.surface.vertices, model.surface.triangles);
+    set_depth(tree, model.cloud.positions, model.tissue);
+    for (const std::int32_t particle : model.cloud.surface_particles)
     {
-        body.tissue.depth[particle] = 0.0; // exactly
+        model.tissue.depth[particle] = 0.0; // exactly
     }
-    apply_thesis_choices(options, body);
-    BodyMaps maps = set_maps(options.map, source.map_surface, body.cloud.positions, body.tissue);
+    apply_thesis_choices(options, model);
+    BodyMaps maps = set_maps(options.map, source.map_surface, model.cloud.positions, model.tissue);
     std::ranges::move(maps.notes, std::back_inserter(made.report.notes));
     std::ranges::move(maps.warnings, std::back_inserter(made.report.warnings));
-    if (body.fem)
+    if (model.fem)
     {
-        const std::vector<Vec3> places = centroids(body.cloud.positions, body.fem->elements.tets);
-        set_depth(tree, places, body.fem->tissue);
-        set_maps(options.map, source.map_surface, places, body.fem->tissue);
+        const std::vector<Vec3> places = centroids(model.cloud.positions, model.fem->elements.tets);
+        set_depth(tree, places, model.fem->tissue);
+        set_maps(options.map, source.map_surface, places, model.fem->tissue);
     }
     return made;
 }
 
 void connect_body(const PreparationOptions& options, Preparation& made)
 {
-    Body& body = made.body;
-    const std::vector<Vec3>& X = body.cloud.positions;
-    const double mean = mean_thickness(options, body);
-    set_regional_rate(options, mean, X, body.tissue);
-    start_tissue(options, X, X, body.cloud.volumes, body.tissue);
-    if (body.fem)
+    Model& model = made.model;
+    const std::vector<Vec3>& X = model.cloud.positions;
+    const double mean = mean_thickness(options, model);
+    set_regional_rate(options, mean, X, model.tissue);
+    complete_tissue(options, X, X, model.cloud.volumes, model.tissue);
+    if (model.fem)
     {
-        const TetElements& elements = body.fem->elements;
+        const TetElements& elements = model.fem->elements;
         const std::vector<Vec3> places = centroids(X, elements.tets);
-        set_regional_rate(options, mean, places, body.fem->tissue);
-        start_tissue(options, X, places, elements.volume, body.fem->tissue);
+        set_regional_rate(options, mean, places, model.fem->tissue);
+        complete_tissue(options, X, places, elements.volume, model.fem->tissue);
     }
     else
     {
         connect_particles(options, made);
     }
-    if (const std::string warning = size_warning(options, body); !warning.empty())
+    if (const std::string warning = size_warning(options, model); !warning.empty())
     {
         made.report.warnings.push_back(warning);
     }
-    const double thickness = least_thickness(options, body);
-    if (thickness < 2.0 * body.cloud.spacing)
+    const double thickness = least_thickness(options, model);
+    if (thickness < 2.0 * model.cloud.spacing)
     {
         made.report.warnings.push_back(
             fmt::format("the cortex of {:.4g} mm is thinner than two spacings of {:.4g} mm and will fold at the wrong "
                         "wavelength; geometry.spacing_mm of at most {:.4g} is needed",
-                        thickness, body.cloud.spacing, thickness / 2.0));
+                        thickness, model.cloud.spacing, thickness / 2.0));
     }
 }
 

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/mechanics/tissue_term.hpp"
+
+namespace corticle
+{
+
+Contribution TissueTerm::add(const StepContext& context, std::span<Vec3> forces)
+{
+    const InternalResponse response = method_->evaluate(context.x, context.t, forces);
+    if (response.invalid_at >= 0)
+    {
+        return {.invalid_at = response.invalid_at};
+    }
+    response_ = response;
+    return {.elastic_energy = response.elastic_energy,
+            .growth_power = response.growth_power,
+            .viscous_power = method_->add_viscous_forces(context.x, context.v, forces),
+            .stable_step =
+                time_step_ > 0.0 ? time_step_ : critical_step(context.cfl, spacing_, response.stiffest_rate)};
+}
+
+std::vector<NamedEnergy> TissueTerm::energies() const
+{
+    return {{"elastic", response_.elastic_energy}, {"zero_mode", response_.zero_mode_energy}};
+}
+
+std::string TissueTerm::cause_of_short_step(std::span<const Vec3> x) const
+{
+    return "most compressed: " +
+           method_->diagnosis(method_->node_of(std::max<std::int64_t>(response_.smallest_J_at, 0)), x);
+}
+
+} // namespace corticle

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/mechanics/discretization.hpp"
+#include "corticle/mechanics/force_term.hpp"
+
+#include <memory>
+
+namespace corticle
+{
+
+/// The forces of the tissue itself, by whatever method cuts the body up.
+class TissueTerm final : public ForceTerm
+{
+  public:
+    /// @param spacing    of the nodes [mm]
+    /// @param time_step  a fixed step, in time, that nobody asks whether it is stable; 0: none
+    TissueTerm(std::unique_ptr<Discretization> method, double spacing, double time_step)
+        : method_(std::move(method)), spacing_(spacing), time_step_(time_step)
+    {
+    }
+
+    std::string_view name() const override { return "tissue"; }
+    Contribution add(const StepContext& context, std::span<Vec3> forces) override;
+    std::vector<NamedEnergy> energies() const override;
+    std::string diagnosis(std::int64_t node, std::span<const Vec3> x) const override
+    {
+        return method_->diagnosis(node, x);
+    }
+    std::string cause_of_short_step(std::span<const Vec3> x) const override;
+
+    /// Of the last evaluation that was valid.
+    const InternalResponse& response() const { return response_; }
+    const Discretization& method() const { return *method_; }
+
+  private:
+    std::unique_ptr<Discretization> method_;
+    double spacing_;
+    double time_step_;
+    InternalResponse response_;
+};
+
+} // namespace corticle

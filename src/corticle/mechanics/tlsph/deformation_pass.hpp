@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/material/wide_tissue.hpp"
+#include "corticle/mechanics/discretization.hpp"
+#include "corticle/mechanics/tlsph/block.hpp"
+#include "corticle/mechanics/tlsph/particle_law.hpp"
+
+#include <cmath>
+#include <limits>
+#include <memory>
+
+// The first of the two passes: it reads positions and tissue, applies the law of the material and writes what the
+// second pass, the sum of forces, reads.
+
+namespace corticle
+{
+
+/// What a pass over a block reads.
+struct PassInput
+{
+    const Tissue& tissue;
+    double t;
+    const Vec3* x;
+};
+
+/// What it writes: of every particle the record that its neighbours read, and its own part of its force.
+struct PassOutput
+{
+    ForceRecord* records;
+    Vec3* own_force;
+};
+
+/// The pass with some law.
+class DeformationPass
+{
+  public:
+    DeformationPass() = default;
+    DeformationPass(const DeformationPass&) = delete;
+    DeformationPass& operator=(const DeformationPass&) = delete;
+    virtual ~DeformationPass() = default;
+
+    /// @param terms  scratch memory   @param total  what the block finds is added to it
+    virtual void run(const Block& block, const PassInput& in, std::vector<PairTerms>& terms, const PassOutput& out,
+                     InternalResponse& total) const = 0;
+};
+
+/// What a block of particles adds up, lane by lane.
+struct LaneSums
+{
+    WideLanes elastic_energy{};
+    WideLanes zero_mode_energy{};
+    WideLanes growth_power{};
+    WideLanes stiffest_rate{};
+    WideLanes barrier_count{};
+};
+
+/// Notes the smallest J, and the first particle whose J is none that a body can have.
+CORTICLE_INLINE void note_volumes(const WideGroup& group, WideLanes J, InternalResponse& total)
+{
+    for_lanes(J < total.smallest_J,
+              [&](int lane)
+              {
+                  if (at_lane(J, lane) < total.smallest_J)
+                  {
+                      total.smallest_J = at_lane(J, lane);
+                      total.smallest_J_at = group.at(lane);
+                  }
+              });
+    const WideIntegers sound = (J > 0.0) & (J < std::numeric_limits<double>::max());
+    for_lanes(~sound, [&](int lane) { total.invalid_at = total.invalid_at < 0 ? group.at(lane) : total.invalid_at; });
+}
+
+/// Stress, energies and force records of eight particles.
+template <bool plain, class Law>
+CORTICLE_INLINE void respond_in_lanes(const Law& law, const Block& block, const PassInput& in, const WideGroup& group,
+                                      const std::vector<PairTerms>& terms, const PassOutput& out, LaneSums& sum,
+                                      InternalResponse& total)
+{
+    const Particles& particles = block.particles;
+    const DeformationSums<WideLanes> sums = sum_deformation(block, in.x, group, terms);
+    const ParticleReference<WideLanes> reference{
+        group.gather(particles.volume.data()),
+        group.gather_matrices([&](std::int64_t i) -> const Mat3& { return particles.correction[i]; }),
+        gather(group, particles.weighted_sum.data()), particles.options.zeta};
+    const ParticleDeformation<WideLanes> deformation = particle_deformation(sums, reference.correction);
+    note_volumes(group, deformation.J, total);
+
+    const WideTissue tissue =
+        plain ? plain_tissue(in.tissue, in.t, group) : any_tissue(in.tissue, in.t, group, deformation.F);
+    const ParticleResponse<WideLanes> particle =
+        particle_response<plain>(law, tissue.point, tissue.normal, reference, sums, deformation);
+    sum.elastic_energy += group.counted(particle.elastic_energy);
+    sum.zero_mode_energy += group.counted(particle.zero_mode_energy);
+    sum.growth_power += group.counted(particle.growth_power);
+    sum.stiffest_rate = larger<WideLanes>(sum.stiffest_rate, particle.rate);
+    sum.barrier_count += group.counted(particle.J_e < law.barrier_J ? broadcast<WideLanes>(1.0) : WideLanes{});
+
+    WideVec3 x = gather(group, in.x);
+    x.lane = particle.zeta;
+    for (int c = 0; c < 3; ++c)
+    {
+        group.scatter_vectors(particle.M.column[c],
+                              [&](std::int64_t i) -> Vec3& { return out.records[i].M.column[c]; });
+    }
+    group.scatter_vectors(x, [&](std::int64_t i) -> Vec3& { return out.records[i].x; });
+    group.scatter_vectors(particle.own_force, [&](std::int64_t i) -> Vec3& { return out.own_force[i]; });
+}
+
+/// `plain`: growth is that of Tissue::grows_plainly.
+template <bool plain, class Law>
+CORTICLE_EVERY_ISA void deform(const Law& law, const Block& block, const PassInput& in, std::vector<PairTerms>& terms,
+                               const PassOutput& out, InternalResponse& total)
+{
+    fill_deformation_terms(block, in.x, terms);
+    LaneSums sum;
+    for (std::int64_t i = block.begin; i < block.end; i += wide_lanes)
+    {
+        const WideGroup group{i, std::min(wide_lanes, block.end - i)};
+        respond_in_lanes<plain>(law, block, in, group, terms, out, sum, total);
+    }
+    total.elastic_energy += sum_of_lanes(sum.elastic_energy);
+    total.zero_mode_energy += sum_of_lanes(sum.zero_mode_energy);
+    total.growth_power += sum_of_lanes(sum.growth_power);
+    total.stiffest_rate = std::max(total.stiffest_rate, largest_of_lanes(sum.stiffest_rate));
+    total.barrier_count += std::llround(sum_of_lanes(sum.barrier_count));
+}
+
+/// The pass with one law, compiled for it.
+template <Material<WideLanes> Law>
+class LawPass final : public DeformationPass
+{
+  public:
+    explicit LawPass(const Law& law) : law_(law) {}
+
+    void run(const Block& block, const PassInput& in, std::vector<PairTerms>& terms, const PassOutput& out,
+             InternalResponse& total) const override
+    {
+        in.tissue.grows_plainly() ? deform<true>(law_, block, in, terms, out, total)
+                                  : deform<false>(law_, block, in, terms, out, total);
+    }
+
+  private:
+    Law law_;
+};
+
+/// All that a material needs to be simulated: hand the result to TlsphSolver.
+template <Material<WideLanes> Law>
+std::unique_ptr<const DeformationPass> deformation_pass(const Law& law)
+{
+    return std::make_unique<LawPass<Law>>(law);
+}
+
+} // namespace corticle

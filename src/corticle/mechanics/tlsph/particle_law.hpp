@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/material/response.hpp"
+#include "corticle/mechanics/tlsph/pair_law.hpp"
+
+// What one particle makes of the sums over its neighbours: deformation, stress, energies, zero-energy control and its
+// part of the forces. Neither threads nor arrays are known here. Symbols as in docs/theory/tlsph.md.
+
+namespace corticle
+{
+
+/// An upper bound of 1 / (smallest singular value of F): sqrt of the bound m + sqrt(2) s of the largest eigenvalue
+/// of F^-T F^-1 by its mean m and deviation s (Wolkowicz & Styan 1980); exact for isotropic and for uniaxial
+/// compression.
+template <RealLike Real>
+CORTICLE_INLINE Real largest_compression(const BasicMat3<Real>& cofactor_F, const Real& J)
+{
+    using Scalar = ScalarOf<Real>;
+    const BasicMat3<Real> B = transpose(cofactor_F) * cofactor_F;
+    const Real mean = trace(B) / Scalar(3.0);
+    const Real variance = larger<Real>(contract(B, B) / Scalar(3.0) - mean * mean, Real{});
+    return square_root<Real>(mean + square_root<Real>(Scalar(2.0) * variance)) / J;
+}
+
+/// zeta_i of the zero-energy control [mu_w]: it stiffens with growth as the tissue does.
+template <bool plain = false, RealLike Real>
+CORTICLE_INLINE Real control_stiffness(double zeta, const BasicMaterialPoint<Real>& point)
+{
+    const Real ratio = stiffening_ratio<plain>(point);
+    return static_cast<ScalarOf<Real>>(zeta) * point.shear_modulus * ratio * ratio * normal_growth<plain>(point);
+}
+
+/// dzeta_i/dt / zeta_i, per unit of growth time.
+template <bool plain = false, RealLike Real>
+CORTICLE_INLINE Real control_stiffening(const BasicMaterialPoint<Real>& point)
+{
+    constexpr ScalarOf<Real> two(2.0);
+    const Real tangential = point.growth_rate / point.growth;
+    if constexpr (plain)
+    {
+        return two * tangential;
+    }
+    else
+    {
+        const Real radial = point.radial_growth_rate / point.radial_growth;
+        const Real flattening = two * (tangential - radial);
+        return point.shear_rate / point.shear_modulus + radial +
+               (point.radial_growth <= point.growth ? flattening : Real{});
+    }
+}
+
+/// A particle in the reference configuration.
+template <RealLike Real>
+struct ParticleReference
+{
+    Real volume;                  ///< V_i [mm³]
+    BasicMat3<Real> correction;   ///< L_i
+    BasicVec3<Real> weighted_sum; ///< b_i = sum_j w_ij X_ij
+    double zeta;                  ///< of TlsphOptions
+};
+
+/// F_i, its cofactor and its determinant.
+template <RealLike Real>
+struct ParticleDeformation
+{
+    BasicMat3<Real> F;
+    BasicMat3<Real> cofactor_F;
+    Real J;
+};
+
+template <RealLike Real>
+CORTICLE_INLINE ParticleDeformation<Real> particle_deformation(const DeformationSums<Real>& sums,
+                                                               const BasicMat3<Real>& correction)
+{
+    ParticleDeformation<Real> result;
+    result.F = sums.moment * correction;
+    result.cofactor_F = cofactor(result.F);
+    result.J = dot(result.F.column[0], result.cofactor_F.column[0]);
+    return result;
+}
+
+/// What a particle adds to the body, and what its neighbours read of it.
+template <RealLike Real>
+struct ParticleResponse
+{
+    Real elastic_energy;       ///< [mu_w mm³]
+    Real zero_mode_energy;     ///< [mu_w mm³]
+    Real growth_power;         ///< that of the zero-energy control included [mu_w mm³]
+    Real rate;                 ///< wave speed at density 1 over the smallest principal stretch
+    Real J_e;                  ///< elastic volume ratio
+    Real zeta;                 ///< zeta_i [mu_w]
+    BasicMat3<Real> M;         ///< V_i P_i L_i - zeta_i F_i
+    BasicVec3<Real> own_force; ///< the part of its force that its own state makes [mu_w mm²]
+};
+
+/// @param normal  n, that growth is tangential to   @param sums  over the neighbours   @param deformation  made of them
+template <bool plain, RealLike Real, Material<Real> Law>
+CORTICLE_INLINE ParticleResponse<Real>
+particle_response(const Law& law, const BasicMaterialPoint<Real>& point, const BasicVec3<Real>& normal,
+                  const ParticleReference<Real>& reference, const DeformationSums<Real>& sums,
+                  const ParticleDeformation<Real>& deformation)
+{
+    const BasicMat3<Real>& F = deformation.F;
+    const BasicResponse<Real> grown = respond<plain>(law, point, normal, F);
+    const Real volume = reference.volume * grown.growth_volume;
+    const Real zeta = control_stiffness<plain>(reference.zeta, point);
+    const Real zero_mode = ScalarOf<Real>(0.5) * zeta * (sums.squared_lengths - contract(sums.moment, F));
+    const BasicMat3<Real> M = reference.volume * (grown.P * reference.correction) - zeta * F;
+    return {volume * grown.energy,
+            zero_mode,
+            volume * grown.power + control_stiffening<plain>(point) * zero_mode,
+            grown.wave_speed * largest_compression(deformation.cofactor_F, deformation.J),
+            grown.J_e,
+            zeta,
+            M,
+            M * reference.weighted_sum + zeta * sums.weighted_sum};
+}
+
+} // namespace corticle

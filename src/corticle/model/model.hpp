@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/material/tissue.hpp"
+#include "corticle/mechanics/fem/elements.hpp"
+#include "corticle/mechanics/tlsph/particles.hpp"
+#include "corticle/mesh/cloud.hpp"
+
+#include <optional>
+
+namespace corticle
+{
+
+/// The tets of a body, and the tissue at their centroids.
+struct ElementModel
+{
+    TetElements elements;
+    TissueFields tissue;
+};
+
+/// A body as it is before it grows, constant once prepared: nodes, surface, tissue at the material points, and what the
+/// method needs: pairs of particles or elements. Simulations share it.
+struct Model
+{
+    Cloud cloud;                     ///< the nodes
+    TriangleMesh surface;            ///< reference surface; its vertices are cloud.surface_particles
+    TissueFields tissue;             ///< at the nodes
+    Particles particles;             ///< pairs; empty with finite elements
+    std::optional<ElementModel> fem; ///< of method "fem"
+};
+
+} // namespace corticle

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/model/terms.hpp"
+
+#include "corticle/mechanics/contact/contact_term.hpp"
+#include "corticle/mechanics/fem/solver.hpp"
+#include "corticle/mechanics/thesis/printed_solver.hpp"
+#include "corticle/mechanics/tlsph/solver.hpp"
+
+namespace corticle
+{
+
+std::unique_ptr<Discretization> make_discretization(const Model& model, const SimulationOptions& options,
+                                                    const State& state)
+{
+    if (options.method == Method::fem)
+    {
+        return std::make_unique<FemSolver>(model.fem->elements,
+                                           Tissue{options.tissue, model.fem->tissue, state.elements});
+    }
+    const Tissue tissue{options.tissue, model.tissue, state.nodes};
+    if (options.formulation == Formulation::thesis)
+    {
+        return std::make_unique<PrintedSolver>(model.particles, tissue, options.thesis);
+    }
+    return std::make_unique<TlsphSolver>(model.particles, tissue);
+}
+
+std::vector<std::unique_ptr<ForceTerm>> make_terms(const Model& model, const SimulationOptions& options)
+{
+    std::vector<std::unique_ptr<ForceTerm>> terms;
+    if (options.contact.enabled)
+    {
+        terms.push_back(std::make_unique<ContactTerm>(model.cloud, model.surface, model.cloud.volumes,
+                                                      wave_speed(options.tissue) / model.cloud.spacing, options.contact,
+                                                      options.dynamics.time_step > 0.0));
+    }
+    return terms;
+}
+
+} // namespace corticle

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/metrics/measuring.hpp"
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+
+namespace corticle
+{
+
+/// Keeps the checkpoint of a run up to date: at output times, every so many minutes, and where a run is interrupted.
+/// Comes last of the observers: what a checkpoint counts as written must have been written.
+class Checkpointer final : public Observer
+{
+  public:
+    /// @param folder     of the run
+    /// @param case_text  the case as to_toml() writes it
+    /// @param versions   of the program, see versions_after()
+    /// @param minutes    between checkpoints
+    /// @param seconds    to which the wall time it takes is added
+    Checkpointer(std::filesystem::path folder, std::string case_text, std::string versions, double minutes,
+                 const Measuring& measuring, double& seconds);
+
+    void on_step(const Simulation& simulation) override;
+    void on_output(const OutputView& view) override { save(view.simulation); }
+    void on_end(const Simulation& simulation, RunStatus status) override;
+
+  private:
+    void save(const Simulation& simulation);
+
+    using Clock = std::chrono::steady_clock;
+    std::filesystem::path folder_;
+    std::string case_text_;
+    std::string versions_;
+    double minutes_;
+    const Measuring& measuring_;
+    double& seconds_;
+    Clock::time_point saved_at_;
+};
+
+} // namespace corticle

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/metrics/measuring.hpp"
+#include "corticle/prepare/prepare.hpp"
+#include "corticle/record/frames.hpp"
+#include "corticle/record/result_folder.hpp"
+#include "corticle/record/run_request.hpp"
+#include "corticle/record/summary.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <chrono>
+#include <memory>
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace corticle
+{
+
+/// Writes a run into its folder: frames and measures at output times, lines in run.log, and the summary.
+class Recorder final : public Observer
+{
+  public:
+    using Clock = std::chrono::steady_clock;
+
+    /// @param made       how the body was made
+    /// @param folder     locked; learns of every file before it is written
+    /// @param versions   of the program, see versions_after()
+    /// @param measuring  tells of the same outputs, before the recorder
+    Recorder(const RunRequest& request, const PreparationReport& made, ResultFolder& folder, std::string versions,
+             std::shared_ptr<spdlog::logger> log, Clock::time_point start, const Measuring& measuring);
+
+    /// Goes on with the wall time and the steps of an earlier session.
+    void resume(std::int64_t steps);
+
+    void on_output(const OutputView& view) override;
+
+    /// The frame of the last output.
+    const Frame& frame() const { return frame_; }
+    /// Wall time spent in files and pictures [s]; those who write beside the recorder add to it.
+    double& output_seconds() { return output_s_; }
+
+    void summarize(const Simulation& simulation, const std::string& status, const std::string& reason = {});
+    /// The failure of a run; without a simulation one that failed before its first state.
+    void record_failure(const Simulation* simulation, const std::string& reason);
+
+  private:
+    RunInfo run_info(const std::string& status, const std::string& reason, std::int64_t steps) const;
+    void log_output(const OutputView& view);
+
+    const RunRequest& request_;
+    const PreparationReport& made_;
+    ResultFolder& folder_;
+    std::string versions_;
+    std::shared_ptr<spdlog::logger> log_;
+    Clock::time_point start_;
+    const Measuring& measuring_;
+    double wall_before_ = 0.0; ///< of earlier sessions [s]
+    std::int64_t first_step_ = 0;
+    Frame frame_;
+    double output_s_ = 0.0;
+    std::set<std::string_view> warned_of_; ///< kinds that the terminal has heard of
+};
+
+} // namespace corticle

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The laws in a kernel: compiled by check_device_headers.py, never run.
+#if defined(__CUDA__) && !defined(__CUDACC__)
+// clang without the headers of CUDA: what these give the laws.
+#define __global__ __attribute__((global))
+#define __device__ __attribute__((device))
+#define __host__ __attribute__((host))
+#include <cmath>
+namespace std
+{
+__device__ double sqrt(double);
+__device__ double log(double);
+} // namespace std
+#endif
+
+#include "corticle/material/neo_hookean.hpp"
+#include "corticle/mechanics/tlsph/particle_law.hpp"
+
+namespace corticle
+{
+
+template <class Real>
+struct Particle
+{
+    Real theta;
+    BasicVec3<Real> normal;
+    ParticleReference<Real> reference;
+    DeformationSums<Real> sums;
+    ParticleResponse<Real> response;
+};
+
+template <class Real>
+__global__ void respond_on_device(TissueOptions tissue, double t, Particle<Real>* particles)
+{
+    Particle<Real>& particle = particles[0];
+    const auto point = material_point(tissue, particle.theta, broadcast<Real>(1.0), t);
+    const auto deformation = particle_deformation(particle.sums, particle.reference.correction);
+    particle.response = particle_response<false>(NeoHookean{tissue.barrier_J}, point, particle.normal,
+                                                 particle.reference, particle.sums, deformation);
+}
+template __global__ void respond_on_device(TissueOptions, double, Particle<double>*);
+template __global__ void respond_on_device(TissueOptions, double, Particle<float>*);
+
+} // namespace corticle
