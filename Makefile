@@ -11,19 +11,22 @@ COMMAND := build/release/bin/corticle
 MAKEFLAGS += --no-print-directory
 
 .NOTPARALLEL:
-.PHONY: fold test build dev asan tsan validate validate-thesis bench format format-check lint setup setup-dev clean help
+.PHONY: fold command test build dev asan tsan validate validate-thesis bench format format-check lint setup setup-dev clean help
 .DEFAULT_GOAL := help
 
 help: ## list the goals
 	@sed -nE 's/^([a-z-]+):.*## (.*)/  \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 18
 
-fold: build ## set up, build, fold the sphere (or CASE=…, OUT=…); says where the pictures are
+fold: command ## set up, build the command, fold the sphere (or CASE=…, OUT=…); says where the pictures are
 	@$(PYTHON) scripts/fold.py --command $(COMMAND) --case $(CASE) --out $(OUT)
 
 test: build ## set up, build, run all tests
 	ctest --preset release --parallel $(JOBS)
 
-build: setup build/release/.configured ## set up and build the optimised version
+command: setup build/release/.configured ## set up and build the command alone
+	cmake --build --preset release --parallel $(JOBS) --target corticle_command
+
+build: setup build/release/.configured ## set up and build the optimised version, tests and benchmarks
 	cmake --build --preset release --parallel $(JOBS)
 
 dev: setup build/dev/.configured ## build and test with assertions, warnings as errors

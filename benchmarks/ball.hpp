@@ -3,9 +3,9 @@
 
 #include "corticle/base/random.hpp"
 #include "corticle/cloud/neighbors.hpp"
-#include "corticle/geometry/cell_grid.hpp"
 #include "corticle/material/tissue.hpp"
 #include "corticle/mechanics/tlsph/particles.hpp"
+#include "corticle/mesh/cell_grid.hpp"
 #include "corticle/mesh/space_filling_curve.hpp"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
 #include "corticle/base/random.hpp"
-#include "corticle/geometry/point_tree.hpp"
+#include "corticle/mesh/point_tree.hpp"
 
 #include <gtest/gtest.h>
 

@@ -66,7 +66,7 @@ TEST(CaseFile, OverridesAreTomlOrBareStrings)
     EXPECT_EQ(options.geometry.shape, Shape::ellipsoid);
     EXPECT_FALSE(options.contact.enabled);
     EXPECT_EQ(options.output.times, (std::vector<double>{0.1, 0.2}));
-    EXPECT_EQ(options.output.pictures, "off");
+    EXPECT_EQ(options.output.pictures, PictureRule::off);
     EXPECT_EQ(options.geometry.particles, 1000);
 }
 

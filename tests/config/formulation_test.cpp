@@ -24,8 +24,8 @@ TEST(Formulation, OneKeySelectsAllThatTheThesisDoes)
     EXPECT_EQ(options.thesis.gradient, KernelGradient::plain);
     EXPECT_EQ(options.thesis.viscosity_alpha, 0.04);
     EXPECT_EQ(options.thesis.viscosity_beta, 0.08);
-    EXPECT_EQ(options.geometry.volumes, "neighbour_count");
-    EXPECT_EQ(options.geometry.normals, "divisions");
+    EXPECT_EQ(options.geometry.volumes, VolumeRule::neighbour_count);
+    EXPECT_EQ(options.geometry.normals, NormalRule::divisions);
     EXPECT_EQ(options.tissue.layer, Layer::binary);
     EXPECT_EQ(options.tissue.lambda, 0.75);
     EXPECT_EQ(options.tissue.barrier_J, 0.0);
@@ -49,7 +49,7 @@ TEST(Formulation, WhatTheCaseGivesStays)
     EXPECT_EQ(options.tissue.layer, Layer::smooth);
     EXPECT_EQ(options.tissue.lambda, 0.0); // which a smooth layer has no use for
     EXPECT_EQ(options.thesis.growth, GrowthEntry::divided);
-    EXPECT_EQ(options.geometry.volumes, "neighbour_count");
+    EXPECT_EQ(options.geometry.volumes, VolumeRule::neighbour_count);
 }
 
 TEST(Formulation, AResolvedCaseReadsBackEqual)

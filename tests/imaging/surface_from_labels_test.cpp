@@ -234,14 +234,14 @@ TEST(SurfaceFromLabels, CutsOffAHemisphereOfATiltedBody)
     const LabelVolume image = plain_image(lobes);
     MaskOptions options;
     const double whole = surface_from_labels(image, options).report.surface_volume_mm3;
-    for (const auto* side : {"left", "right"})
+    for (const Hemisphere side : {Hemisphere::left, Hemisphere::right})
     {
         options.hemisphere = side;
         const ImagedSurface result = surface_from_labels(image, options);
-        require_valid_surface(result.surface, side);
-        EXPECT_NEAR(result.report.surface_volume_mm3 / whole, 0.5, 0.005) << side;
+        require_valid_surface(result.surface, name_of(side));
+        EXPECT_NEAR(result.report.surface_volume_mm3 / whole, 0.5, 0.005) << name_of(side);
         const double height = dot(right, enclosed_centroid(result.surface) - centre);
-        EXPECT_NEAR(height, side == std::string("right") ? 6.2 : -6.2, 0.5);
+        EXPECT_NEAR(height, side == Hemisphere::right ? 6.2 : -6.2, 0.5);
         for (const Vec3& p : result.surface.vertices)
         {
             EXPECT_GT(std::copysign(1.0, height) * dot(right, p - centre), -0.5); // half a voxel
@@ -317,14 +317,14 @@ std::string refusal_of(const LabelVolume& image, const MaskOptions& options)
 TEST(SurfaceFromLabels, TakesOneOfTwoHemispheresThatDoNotTouch)
 {
     const LabelVolume image = image_about(centre, two_hemispheres);
-    for (const auto* side : {"left", "right"})
+    for (const Hemisphere side : {Hemisphere::left, Hemisphere::right})
     {
         MaskOptions options;
         options.hemisphere = side;
         const ImagedSurface result = surface_from_labels(image, options);
-        EXPECT_NEAR(result.report.surface_volume_mm3 / hemisphere_volume, 1.0, 0.02) << side;
+        EXPECT_NEAR(result.report.surface_volume_mm3 / hemisphere_volume, 1.0, 0.02) << name_of(side);
         const double x = enclosed_centroid(result.surface).x - centre.x;
-        EXPECT_NEAR(x, side == std::string("right") ? 8.0 : -8.0, 0.3);
+        EXPECT_NEAR(x, side == Hemisphere::right ? 8.0 : -8.0, 0.3);
     }
     const std::string both = refusal_of(image, {});
     EXPECT_THAT(both, HasSubstr("the labels form 2 components"));
@@ -335,7 +335,7 @@ TEST(SurfaceFromLabels, AHemisphereIsNotTakenOfOneHemisphere)
 {
     const auto right = [](const Vec3& p) { return two_hemispheres(p) == 41 ? 41 : 0; };
     MaskOptions options;
-    for (const auto* side : {"left", "right"})
+    for (const Hemisphere side : {Hemisphere::left, Hemisphere::right})
     {
         options.hemisphere = side;
         EXPECT_THAT(refusal_of(image_about({}, right), options), HasSubstr("one hemisphere already"));

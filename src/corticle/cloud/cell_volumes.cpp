@@ -3,7 +3,7 @@
 
 #include "corticle/base/parallel.hpp"
 #include "corticle/cloud/line_lattice.hpp"
-#include "corticle/geometry/cell_grid.hpp"
+#include "corticle/mesh/cell_grid.hpp"
 
 #include <algorithm>
 #include <limits>

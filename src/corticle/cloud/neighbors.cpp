@@ -4,7 +4,7 @@
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
 #include "corticle/cloud/visibility.hpp"
-#include "corticle/geometry/cell_grid.hpp"
+#include "corticle/mesh/cell_grid.hpp"
 
 #include <algorithm>
 #include <string>

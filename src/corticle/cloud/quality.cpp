@@ -2,7 +2,7 @@
 #include "corticle/cloud/quality.hpp"
 
 #include "corticle/base/parallel.hpp"
-#include "corticle/geometry/cell_grid.hpp"
+#include "corticle/mesh/cell_grid.hpp"
 
 #include <algorithm>
 #include <limits>

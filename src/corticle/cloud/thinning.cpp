@@ -4,8 +4,8 @@
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
 #include "corticle/base/random.hpp"
-#include "corticle/geometry/cell_grid.hpp"
-#include "corticle/geometry/point_tree.hpp"
+#include "corticle/mesh/cell_grid.hpp"
+#include "corticle/mesh/point_tree.hpp"
 #include "corticle/mesh/space_filling_curve.hpp"
 
 #include <fmt/format.h>

@@ -67,7 +67,8 @@ void check_file_keys(const GeometryOptions& geometry, const Place& place)
     require_file("geometry.image_volume", geometry.mask.volume.has_value());
     require_file("geometry.hemisphere", geometry.mask.hemisphere != Hemisphere::both);
     require_file("geometry.repair", geometry.repair != Repair::none);
-    require_file("geometry.arrangement", geometry.arrangement != Arrangement::body_fitted && geometry.arrangement != Arrangement::mesh_nodes);
+    require_file("geometry.arrangement",
+                 geometry.arrangement != Arrangement::body_fitted && geometry.arrangement != Arrangement::mesh_nodes);
 }
 
 /// Keys that belong to one method.
@@ -90,8 +91,7 @@ void check_method(const Options& options, const Place& place)
     };
     const bool is_thinned =
         geometry.arrangement == Arrangement::thinned || geometry.arrangement == Arrangement::thinned_at_random;
-    require("geometry.arrangement", name_of(geometry.arrangement), !is_thinned,
-            "\"body_fitted\" or \"tet_nodes\"");
+    require("geometry.arrangement", name_of(geometry.arrangement), !is_thinned, "\"body_fitted\" or \"tet_nodes\"");
     require("geometry.volumes", "neighbour_count", geometry.volumes == VolumeRule::cells, "\"cells\"");
     require("geometry.normals", "divisions", geometry.normals == NormalRule::surface, "\"surface\"");
 }

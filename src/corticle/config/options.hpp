@@ -21,9 +21,9 @@ enum class PictureRule
 
 struct OutputOptions
 {
-    std::int64_t count = 10;           ///< evenly spaced in t, besides t = 0
-    std::vector<double> times;         ///< instead of count
-    std::vector<double> weeks;         ///< instead of count, with a clock
+    std::int64_t count = 10;   ///< evenly spaced in t, besides t = 0
+    std::vector<double> times; ///< instead of count
+    std::vector<double> weeks; ///< instead of count, with a clock
     PictureRule pictures = PictureRule::on;
     std::vector<double> picture_times; ///< output times that get pictures (the nearest); empty: the last
     double checkpoint_minutes = 5.0;

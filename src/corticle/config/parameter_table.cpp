@@ -17,8 +17,7 @@ using namespace detail;
 std::vector<Parameter> geometry_parameters()
 {
     return {
-        parameter("geometry.shape", "", {}, "Where the body comes from.",
-               CORTICLE_MEMBER(geometry.shape)),
+        parameter("geometry.shape", "", {}, "Where the body comes from.", CORTICLE_MEMBER(geometry.shape)),
         parameter("geometry.radius_mm", "mm", above(0.0, 1000.0), "Radius of the sphere.",
                   CORTICLE_MEMBER(geometry.radius_mm)),
         parameter("geometry.semi_axes_mm", "mm", above(0.0, 1000.0), "Semi-axes of the ellipsoid.",
@@ -27,8 +26,7 @@ std::vector<Parameter> geometry_parameters()
              "Closed triangulated surface (STL, OBJ, PLY, OFF, VTP, GIFTI, FreeSurfer), label volume (NIfTI) or tet "
              "mesh (Gmsh, VTU, Netgen, Medit); needed by shape = \"file\".",
              CORTICLE_MEMBER(geometry.file)),
-        parameter("geometry.unit", "", {}, "Unit of length of a surface or tet mesh.",
-               CORTICLE_MEMBER(geometry.unit)),
+        parameter("geometry.unit", "", {}, "Unit of length of a surface or tet mesh.", CORTICLE_MEMBER(geometry.unit)),
         parameter("geometry.coordinates", "", {},
                   "Whether coordinates are brought to the scanner's where the file describes how (matrices of GIFTI, "
                   "volume geometry of FreeSurfer, xyzt_units of NIfTI), or taken as they are in the file.",
@@ -58,7 +56,7 @@ std::vector<Parameter> geometry_parameters()
         parameter("geometry.remove_handles", "", {}, "Whether the surface of the mask is made a topological sphere.",
                   CORTICLE_MEMBER(geometry.mask.remove_handles)),
         parameter("geometry.hemisphere", "", {}, "Which part of the mask is taken.",
-               CORTICLE_MEMBER(geometry.mask.hemisphere)),
+                  CORTICLE_MEMBER(geometry.mask.hemisphere)),
         with_example(parameter("geometry.spacing_mm", "mm", above(0.0, 1000.0),
                                "Distance between neighbouring particles or nodes; instead of particles.",
                                CORTICLE_MEMBER(geometry.spacing_mm)),
@@ -68,17 +66,19 @@ std::vector<Parameter> geometry_parameters()
                   "About this many particles or nodes; instead of spacing_mm.", CORTICLE_MEMBER(geometry.particles)),
         parameter("geometry.seed", "", at_least(0.0), "Seed of the arrangement of particles.",
                   CORTICLE_MEMBER(geometry.seed)),
-        parameter("geometry.arrangement", "", {},
-               "Particles: arranged to fit the body, the nodes of the tets that method = \"fem\" makes of it, or the "
-               "nodes of a tet mesh from a file: all, thinned evenly, or thinned at random (thesis section 2.4.1).",
-               CORTICLE_MEMBER(geometry.arrangement)),
+        parameter(
+            "geometry.arrangement", "", {},
+            "Particles: arranged to fit the body, the nodes of the tets that method = \"fem\" makes of it, or the "
+            "nodes of a tet mesh from a file: all, thinned evenly, or thinned at random (thesis section 2.4.1).",
+            CORTICLE_MEMBER(geometry.arrangement)),
         parameter("geometry.volumes", "", {},
-               "Volumes of the particles: exact, or by neighbour counts (thesis eqs. 25 and 26).",
-               CORTICLE_MEMBER(geometry.volumes)),
-        parameter("geometry.normals", "", {},
-               "Normals of the particles: of the closest surface point, or of the nearest normal line (thesis section "
-               "2.4.2).",
-               CORTICLE_MEMBER(geometry.normals)),
+                  "Volumes of the particles: exact, or by neighbour counts (thesis eqs. 25 and 26).",
+                  CORTICLE_MEMBER(geometry.volumes)),
+        parameter(
+            "geometry.normals", "", {},
+            "Normals of the particles: of the closest surface point, or of the nearest normal line (thesis section "
+            "2.4.2).",
+            CORTICLE_MEMBER(geometry.normals)),
         parameter("geometry.normal_divisions", "", between(1.0, 1000.0), "Divisions of each normal line.",
                   CORTICLE_MEMBER(geometry.normal_divisions)),
     };

@@ -96,7 +96,8 @@ class SurfaceBuilder
         if (!is_whole)
         {
             change("hemisphere", [&] { cut_hemisphere(); });
-            change("largest component", [&] { keep_largest(fmt::format("the {} half forms", name_of(options_.hemisphere))); });
+            change("largest component",
+                   [&] { keep_largest(fmt::format("the {} half forms", name_of(options_.hemisphere))); });
             drop_values_outside();
         }
         require_voxels();
@@ -263,7 +264,8 @@ class SurfaceBuilder
     void cut_hemisphere()
     {
         const Plane plane = midsagittal_plane(grid_, mask_);
-        require_both_hemispheres({grid_, mask_, false, middle_x_}, plane, name_of(options_.hemisphere), report_.warnings);
+        require_both_hemispheres({grid_, mask_, false, middle_x_}, plane, name_of(options_.hemisphere),
+                                 report_.warnings);
         const double side = options_.hemisphere == Hemisphere::right ? 1.0 : -1.0;
         const double width = std::cbrt(grid_.voxel_volume());
         for (std::int64_t voxel = 0; voxel < grid_.count(); ++voxel)

@@ -3,8 +3,8 @@
 
 #include "corticle/base/mat3.hpp"
 #include "corticle/base/parallel.hpp"
-#include "corticle/geometry/cell_grid.hpp"
 #include "corticle/geometry/surface_tree.hpp"
+#include "corticle/mesh/cell_grid.hpp"
 
 #include <algorithm>
 #include <limits>

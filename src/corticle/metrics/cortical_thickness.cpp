@@ -2,8 +2,8 @@
 #include "corticle/metrics/cortical_thickness.hpp"
 
 #include "corticle/base/parallel.hpp"
-#include "corticle/geometry/cell_grid.hpp"
 #include "corticle/geometry/surface_tree.hpp"
+#include "corticle/mesh/cell_grid.hpp"
 
 #include <limits>
 

@@ -3,7 +3,7 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
-#include "corticle/geometry/cell_grid.hpp"
+#include "corticle/mesh/cell_grid.hpp"
 
 #include <fmt/format.h>
 

@@ -65,7 +65,7 @@ double ellipsoid_area(const std::array<double, 3>& axes)
 std::array<double, 3> semi_axes(const GeometryOptions& options)
 {
     return options.shape == Shape::sphere ? std::array{options.radius_mm, options.radius_mm, options.radius_mm}
-                                     : options.semi_axes_mm;
+                                          : options.semi_axes_mm;
 }
 
 BodySource read_body_source(const GeometryOptions& options)

@@ -72,7 +72,7 @@ struct GeometryOptions
     double radius_mm = 12.496;                            ///< sphere
     std::array<double, 3> semi_axes_mm{15.0, 12.0, 10.0}; ///< ellipsoid
     std::string file;                                     ///< closed triangulated surface, label volume or tet mesh
-    UnitOfLength unit = UnitOfLength::mm; ///< of a surface or tet mesh
+    UnitOfLength unit = UnitOfLength::mm;                 ///< of a surface or tet mesh
     Coordinates coordinates = Coordinates::scanner;       ///< of a surface or label volume with metadata
     MaskOptions mask;                      ///< of a label volume: keys labels, image_volume, closing_mm, ...
     Repair repair = Repair::none;          ///< of a surface that is not closed and embedded
@@ -83,7 +83,7 @@ struct GeometryOptions
     Arrangement arrangement = Arrangement::body_fitted;
     VolumeRule volumes = VolumeRule::cells;
     NormalRule normals = NormalRule::surface;
-    std::int64_t normal_divisions = 8;       ///< where normals = divisions
+    std::int64_t normal_divisions = 8; ///< where normals = divisions
 };
 
 /// Values on the body read from files (keys under [map]); an empty file: none.

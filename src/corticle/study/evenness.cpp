@@ -2,10 +2,10 @@
 #include "corticle/study/evenness.hpp"
 
 #include "corticle/base/parallel.hpp"
-#include "corticle/geometry/cell_grid.hpp"
-#include "corticle/geometry/point_tree.hpp"
 #include "corticle/mechanics/tlsph/kernel.hpp"
 #include "corticle/mechanics/tlsph/particles.hpp"
+#include "corticle/mesh/cell_grid.hpp"
+#include "corticle/mesh/point_tree.hpp"
 
 #include <algorithm>
 #include <cassert>

@@ -7,10 +7,10 @@
 #include "corticle/cloud/fill.hpp"
 #include "corticle/cloud/neighbor_count_volumes.hpp"
 #include "corticle/cloud/thinning.hpp"
-#include "corticle/geometry/point_tree.hpp"
 #include "corticle/geometry/remesh.hpp"
 #include "corticle/material/layer.hpp"
 #include "corticle/mechanics/thesis/ellipsoid.hpp"
+#include "corticle/mesh/point_tree.hpp"
 
 #include <fmt/format.h>
 
@@ -49,7 +49,8 @@ std::span<const Vec3> positions_of(const Model& model)
 
 bool is_sphere_by_lambda(const Options& options)
 {
-    return options.geometry.shape == Shape::sphere && options.tissue.lambda > 0.0 && options.tissue.layer == Layer::binary;
+    return options.geometry.shape == Shape::sphere && options.tissue.lambda > 0.0 &&
+           options.tissue.layer == Layer::binary;
 }
 
 /// Thickness of the exact cortex at each particle: on the sphere that of eq. 24 where the case has a lambda [mm].
@@ -345,7 +346,8 @@ void compare_evenness(const Model& model, const Options& options, const SurfaceT
         result.clouds.push_back({std::move(choice), measure_evenness(points, depths, spacing, support)});
     };
     const Arrangement arrangement = options.geometry.arrangement;
-    add(arrangement == Arrangement::body_fitted ? "ours: repulsion" : std::string("this body: ") + name_of(arrangement), model.cloud.positions);
+    add(arrangement == Arrangement::body_fitted ? "ours: repulsion" : std::string("this body: ") + name_of(arrangement),
+        model.cloud.positions);
 
     constexpr double edge_per_spacing = 1.05;
     const double dense_spacing = spacing / std::cbrt(result.thesis.dense_ratio);

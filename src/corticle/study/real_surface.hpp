@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/formats/unit_of_length.hpp"
 #include "corticle/formats/coordinates.hpp"
+#include "corticle/formats/unit_of_length.hpp"
 #include "corticle/imaging/options.hpp"
 #include "corticle/mesh/triangle_mesh.hpp"
 #include "corticle/metrics/surface_rows.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/geometry/point_tree.hpp"
+#include "corticle/mesh/point_tree.hpp"
 
 #include "corticle/base/box.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/geometry/cell_grid.hpp"
+#include "corticle/mesh/cell_grid.hpp"
 
 #include "corticle/base/box.hpp"
 
