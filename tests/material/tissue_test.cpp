@@ -39,21 +39,6 @@ TEST(Layer, SharpStepKeepsTheVolumeOfTheCortex)
     EXPECT_EQ(theta[3], 0.0);
 }
 
-TEST(Layer, BinaryStepOfAnEllipsoid)
-{
-    // Cells of equal volume, half of which is cortex with lambda = 0.5^(2/3): the outer four of the eight, by the
-    // level sum (x/r)² and not by the distance from the centre.
-    const std::vector<Vec3> points{{1, 0, 0}, {15, 0, 0},  {0, 1, 0}, {0, 7.5, 0},
-                                   {0, 0, 1}, {0, 0, 3.7}, {9, 0, 0}, {0, 0, 3.5}};
-    const std::vector<double> theta =
-        ellipsoid_layer(points, std::vector<double>(8, 1.0), {16, 8, 4}, std::pow(0.5, 2.0 / 3.0));
-    const std::vector<double> expected{0, 1, 0, 1, 0, 1, 0, 1};
-    for (std::size_t i = 0; i < theta.size(); ++i)
-    {
-        EXPECT_NEAR(theta[i], expected[i], 1e-12) << i;
-    }
-}
-
 TEST(Tissue, ThicknessFollowsItsRate)
 {
     test::OwnTissue tissue;

@@ -4,8 +4,6 @@
 #include "corticle/base/parallel.hpp"
 #include "corticle/material/layer.hpp"
 
-#include <numeric>
-
 namespace corticle
 {
 
@@ -74,26 +72,6 @@ bool Tissue::grows_plainly() const
     return options.alpha_r == 0.0 && options.alpha_white == 0.0 && options.growth_law == GrowthLaw::linear &&
            options.growth_onset == 0.0 && options.growth_rate == 1.0 && options.normal == NormalFrame::reference &&
            fields.growth_onset.empty() && fields.growth_rate.empty() && state.theta_rate.empty() && state.past.empty();
-}
-
-std::vector<double> ellipsoid_layer(std::span<const Vec3> positions, std::span<const double> volume,
-                                    const std::array<double, 3>& semi_axes, double lambda, const Vec3& centre)
-{
-    std::vector<double> inside;
-    inside.reserve(positions.size());
-    for (const Vec3& position : positions)
-    {
-        const Vec3 X = position - centre;
-        const Vec3 q{X.x / semi_axes[0], X.y / semi_axes[1], X.z / semi_axes[2]};
-        const Vec3 slope{q.x / semi_axes[0], q.y / semi_axes[1], q.z / semi_axes[2]}; // gradient of |q|²/2
-        const double radius = norm(q);
-        // To first order the distance to the level |q| = sqrt(lambda) is the difference of levels over |grad |q||.
-        inside.push_back(radius > 0.0 ? (radius - std::sqrt(lambda)) * radius / norm(slope)
-                                      : -std::sqrt(lambda) * semi_axes[0]);
-    }
-    // The white matter is the ellipsoid shrunk by sqrt(lambda).
-    const double total = std::accumulate(volume.begin(), volume.end(), 0.0);
-    return sharp_layer(inside, volume, (1.0 - std::pow(lambda, 1.5)) * total);
 }
 
 double wave_speed(const TissueOptions& options)

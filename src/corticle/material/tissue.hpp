@@ -109,13 +109,6 @@ struct Tissue
     }
 };
 
-/// Binary cortex of an ellipsoid (thesis eq. 24), sum_k ((X_k - c_k) / r_k)² >= lambda, with the volume it has there.
-/// @param volume     [mm³], one per particle
-/// @param semi_axes  r [mm], those of the shape or those fitted to the particles (see ellipsoid.hpp)
-/// @param centre     c [mm]
-std::vector<double> ellipsoid_layer(std::span<const Vec3> positions, std::span<const double> volume,
-                                    const std::array<double, 3>& semi_axes, double lambda, const Vec3& centre = {});
-
 /// Pressure-wave speed of the white matter at density 1: sqrt(K + 4 mu / 3).
 double wave_speed(const TissueOptions& options);
 

@@ -3,17 +3,15 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
-#include "corticle/cloud/division_normals.hpp"
 #include "corticle/cloud/fill.hpp"
 #include "corticle/cloud/from_tets.hpp"
-#include "corticle/cloud/neighbor_count_volumes.hpp"
 #include "corticle/geometry/shapes.hpp"
 #include "corticle/geometry/tetrahedralize.hpp"
 #include "corticle/material/imperfection.hpp"
-#include "corticle/mechanics/thesis/ellipsoid.hpp"
 #include "corticle/prepare/body_checks.hpp"
 #include "corticle/prepare/body_maps.hpp"
 #include "corticle/prepare/body_source.hpp"
+#include "corticle/prepare/thesis_choices.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -106,23 +104,6 @@ void set_cloud(const PreparationOptions& options, const BodySource& source, Prep
     take_nodes(options, cloud_from_tets(*source.tets, chosen), made);
 }
 
-/// What the thesis does instead, where the options ask for it.
-void apply_thesis_choices(const PreparationOptions& options, Model& model)
-{
-    const GeometryOptions& geometry = options.geometry;
-    const std::vector<Vec3>& X = model.cloud.positions;
-    if (geometry.volumes == VolumeRule::neighbour_count)
-    {
-        const double total = std::accumulate(model.cloud.volumes.begin(), model.cloud.volumes.end(), 0.0);
-        model.cloud.volumes = neighbor_count_volumes(X, support_mm(options.tlsph, model.cloud.spacing), total);
-    }
-    if (geometry.normals == NormalRule::divisions)
-    {
-        model.tissue.normal = division_normals(X, triangle_normal_lines(model.surface),
-                                               static_cast<std::int32_t>(geometry.normal_divisions), extents_centre(X));
-    }
-}
-
 /// Regional growth as it is mapped, times the imperfection. @param thickness  of the cortex [mm]
 void set_regional_rate(const PreparationOptions& options, double thickness, std::span<const Vec3> places,
                        TissueFields& tissue)
@@ -138,11 +119,6 @@ void set_regional_rate(const PreparationOptions& options, double thickness, std:
     }
 }
 
-bool has_layer_by_lambda(const PreparationOptions& options)
-{
-    return options.tissue.layer == Layer::binary && options.tissue.lambda > 0.0;
-}
-
 /// What is left to know of the tissue: volumes, and the cortex where it does not follow from the depth.
 void complete_tissue(const PreparationOptions& options, std::span<const Vec3> nodes, std::span<const Vec3> places,
                      std::vector<double> volumes, TissueFields& tissue)
@@ -152,15 +128,9 @@ void complete_tissue(const PreparationOptions& options, std::span<const Vec3> no
     {
         require_cortex(options, places, tissue);
     }
-    else if (options.geometry.shape == Shape::file || options.geometry.volumes == VolumeRule::neighbour_count)
-    {
-        // Volumes by counts say nothing about the layer's.
-        tissue.given_theta =
-            ellipsoid_layer_by_centres(places, fitted_semi_axes(nodes), options.tissue.lambda, extents_centre(nodes));
-    }
     else
     {
-        tissue.given_theta = ellipsoid_layer(places, tissue.volume, semi_axes(options.geometry), options.tissue.lambda);
+        tissue.given_theta = layer_by_lambda(options, nodes, places, tissue.volume);
     }
 }
 
@@ -175,14 +145,6 @@ void connect_particles(const PreparationOptions& options, Preparation& made)
     made.report.neighbors_mean =
         static_cast<double>(pairs.index.size()) / static_cast<double>(model.cloud.positions.size());
     model.particles = make_particles(model.cloud, pairs, options.tlsph);
-}
-
-/// Thickness of the cortex where eq. 24 defines it, along the shortest semi-axis [mm].
-double thickness_by_lambda(const PreparationOptions& options, const Model& model)
-{
-    const auto axes =
-        options.geometry.shape == Shape::file ? fitted_semi_axes(model.cloud.positions) : semi_axes(options.geometry);
-    return (1.0 - std::sqrt(options.tissue.lambda)) * *std::min_element(axes.begin(), axes.end());
 }
 
 /// Where the cortex is `thickness` thick by the case, in the reference state at growth time t [mm].

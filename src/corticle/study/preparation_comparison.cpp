@@ -3,14 +3,14 @@
 
 #include "corticle/base/parallel.hpp"
 #include "corticle/cloud/cell_volumes.hpp"
-#include "corticle/cloud/division_normals.hpp"
 #include "corticle/cloud/fill.hpp"
-#include "corticle/cloud/neighbor_count_volumes.hpp"
 #include "corticle/cloud/thinning.hpp"
 #include "corticle/geometry/remesh.hpp"
 #include "corticle/material/layer.hpp"
-#include "corticle/mechanics/thesis/ellipsoid.hpp"
 #include "corticle/mesh/point_tree.hpp"
+#include "corticle/prepare/thesis/division_normals.hpp"
+#include "corticle/prepare/thesis/ellipsoid.hpp"
+#include "corticle/prepare/thesis/neighbor_count_volumes.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/mechanics/thesis/ellipsoid.hpp"
+#include "corticle/prepare/thesis/ellipsoid.hpp"
 #include "corticle/study/preparation_comparison.hpp"
 #include "corticle/view/pictures.hpp"
 

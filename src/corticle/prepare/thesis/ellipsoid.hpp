@@ -10,8 +10,7 @@
 namespace corticle
 {
 
-// The layer of thesis section 2.4.1, whose ellipsoid is fitted to the particles. `ellipsoid_layer` in tissue.hpp is
-// the same layer with its volume kept.
+// The layer of thesis section 2.4.1.
 
 /// Middle of the extents of points along each axis [mm]. Thesis eq. 24 takes it for the origin, which holds for a
 /// sphere about the origin and not for a body in scanner coordinates.
@@ -29,5 +28,12 @@ double ellipsoid_level(const Vec3& X, const std::array<double, 3>& semi_axes, co
 /// the volume of the cortex becomes by that.
 std::vector<double> ellipsoid_layer_by_centres(std::span<const Vec3> positions, const std::array<double, 3>& semi_axes,
                                                double lambda, const Vec3& centre = {});
+
+/// Binary cortex of an ellipsoid (thesis eq. 24), sum_k ((X_k - c_k) / r_k)² >= lambda, with the volume it has there.
+/// @param volume     [mm³], one per particle
+/// @param semi_axes  r [mm], those of the shape or those fitted to the particles
+/// @param centre     c [mm]
+std::vector<double> ellipsoid_layer(std::span<const Vec3> positions, std::span<const double> volume,
+                                    const std::array<double, 3>& semi_axes, double lambda, const Vec3& centre = {});
 
 } // namespace corticle

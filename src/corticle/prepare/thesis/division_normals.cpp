@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/cloud/division_normals.hpp"
+#include "corticle/prepare/thesis/division_normals.hpp"
 
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"

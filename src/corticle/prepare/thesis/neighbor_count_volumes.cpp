@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/cloud/neighbor_count_volumes.hpp"
+#include "corticle/prepare/thesis/neighbor_count_volumes.hpp"
 
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"

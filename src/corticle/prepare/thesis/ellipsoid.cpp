@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/mechanics/thesis/ellipsoid.hpp"
+#include "corticle/prepare/thesis/ellipsoid.hpp"
 
 #include "corticle/base/box.hpp"
 #include "corticle/base/error.hpp"
+#include "corticle/material/layer.hpp"
 
 #include <fmt/format.h>
+
+#include <numeric>
 
 namespace corticle
 {
@@ -61,6 +64,26 @@ std::vector<double> ellipsoid_layer_by_centres(std::span<const Vec3> positions, 
         theta.push_back(ellipsoid_level(X, semi_axes, centre) >= lambda ? 1.0 : 0.0);
     }
     return theta;
+}
+
+std::vector<double> ellipsoid_layer(std::span<const Vec3> positions, std::span<const double> volume,
+                                    const std::array<double, 3>& semi_axes, double lambda, const Vec3& centre)
+{
+    std::vector<double> inside;
+    inside.reserve(positions.size());
+    for (const Vec3& position : positions)
+    {
+        const Vec3 X = position - centre;
+        const Vec3 q{X.x / semi_axes[0], X.y / semi_axes[1], X.z / semi_axes[2]};
+        const Vec3 slope{q.x / semi_axes[0], q.y / semi_axes[1], q.z / semi_axes[2]}; // gradient of |q|²/2
+        const double radius = norm(q);
+        // To first order the distance to the level |q| = sqrt(lambda) is the difference of levels over |grad |q||.
+        inside.push_back(radius > 0.0 ? (radius - std::sqrt(lambda)) * radius / norm(slope)
+                                      : -std::sqrt(lambda) * semi_axes[0]);
+    }
+    // The white matter is the ellipsoid shrunk by sqrt(lambda).
+    const double total = std::accumulate(volume.begin(), volume.end(), 0.0);
+    return sharp_layer(inside, volume, (1.0 - std::pow(lambda, 1.5)) * total);
 }
 
 } // namespace corticle

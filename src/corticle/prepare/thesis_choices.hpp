@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/model/model.hpp"
+#include "corticle/prepare/options.hpp"
+
+namespace corticle
+{
+
+// What the thesis does its own way in preparing a body, where the options ask for it.
+
+/// Volumes and normals of the thesis.
+void apply_thesis_choices(const PreparationOptions& options, Model& model);
+
+/// Whether the cortex is that of thesis eq. 24.
+bool has_layer_by_lambda(const PreparationOptions& options);
+
+/// theta of thesis eq. 24 at places. @param volumes  of the places [mm³]
+std::vector<double> layer_by_lambda(const PreparationOptions& options, std::span<const Vec3> nodes,
+                                    std::span<const Vec3> places, std::span<const double> volumes);
+
+/// Thickness of that cortex, along the shortest semi-axis [mm].
+double thickness_by_lambda(const PreparationOptions& options, const Model& model);
+
+} // namespace corticle
