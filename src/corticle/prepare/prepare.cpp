@@ -154,7 +154,7 @@ void complete_tissue(const PreparationOptions& options, std::span<const Vec3> no
     }
     else if (options.geometry.shape == Shape::file || options.geometry.volumes == VolumeRule::neighbour_count)
     {
-        // Volumes by counts say nothing about the layer's.
+        // Volumes by neighbour counts are not those of the cells, so they say nothing about the volume of the layer.
         tissue.given_theta =
             ellipsoid_layer_by_centres(places, fitted_semi_axes(nodes), options.tissue.lambda, extents_centre(nodes));
     }

@@ -28,7 +28,7 @@ struct RealComparison
     std::vector<std::vector<SurfaceRow>> run_rows; ///< at these
     std::vector<RealSurface> reals;
 
-    /// Measure number `row` of the run, interpolated linearly to a real surface's place; not a number where the run
+    /// Measure number `row` of the run, interpolated linearly to a real surface's place; NaN where the run
     /// does not reach.
     double run_value(std::size_t row, const RealSurface& real) const;
     /// Of reading the real surfaces: "NAME: warning".
