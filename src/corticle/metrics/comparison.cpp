@@ -110,7 +110,7 @@ class Interpolator
     CellGrid grid_;
 };
 
-/// Sum, largest and number of absolute differences; those that are not numbers are left out.
+/// Sum, largest and number of absolute differences; NaN are left out.
 struct Differences
 {
     double sum = 0.0;
