@@ -164,17 +164,12 @@ TEST(TwistingColumn, TurnsAsFarAsItShould)
     EXPECT_NEAR(report_particles(6), 0.0, 0.08);
 }
 
-TEST(SolidBenchmarks, DISABLED_TablesOfTheTheoryPage)
+/// Coarser meshes of both benchmarks are farther off: what the tables of the theory page show.
+TEST(SolidBenchmarks, ErrorsFallWithTheSpacing)
 {
-    for (const int bricks : {16, 32, 40, 48})
-    {
-        report_membrane(bricks);
-    }
-    for (const int bricks : {6, 10, 14})
-    {
-        report_tets(bricks);
-        report_particles(bricks);
-    }
+    EXPECT_LT(std::abs(report_membrane(32)), 0.8 * std::abs(report_membrane(16)));
+    EXPECT_LT(std::abs(report_tets(6)), 0.8 * std::abs(report_tets(4)));
+    EXPECT_LT(std::abs(report_particles(6)), 0.9 * std::abs(report_particles(4)));
 }
 
 } // namespace
