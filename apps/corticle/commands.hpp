@@ -69,6 +69,7 @@ int check_command(const CheckArguments& arguments);
 struct SchemaArguments
 {
     bool markdown = false;
+    bool measures = false;
 };
 int schema_command(const SchemaArguments& arguments);
 

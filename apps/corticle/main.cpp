@@ -152,6 +152,7 @@ void add_schema(CLI::App& app, Verb& chosen)
     auto arguments = std::make_shared<SchemaArguments>();
     CLI::App* verb = app.add_subcommand("schema", "Print every key of a case: type, default, unit, range, meaning");
     verb->add_flag("--markdown", arguments->markdown, "As Markdown");
+    verb->add_flag("--measures", arguments->measures, "The measures of a run instead: key, unit, meaning, as Markdown");
     verb->callback([arguments, &chosen] { chosen = [arguments] { return schema_command(*arguments); }; });
 }
 

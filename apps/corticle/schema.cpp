@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands.hpp"
 
-#include <array>
-
 #include "corticle/config/case_file.hpp"
+#include "corticle/metrics/measure_table.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +11,7 @@ namespace corticle
 
 int schema_command(const SchemaArguments& arguments)
 {
-    fmt::print("{}", arguments.markdown ? schema_markdown() : schema_text());
+    fmt::print("{}", arguments.measures ? measures_markdown() : arguments.markdown ? schema_markdown() : schema_text());
     return exit_status::done;
 }
 

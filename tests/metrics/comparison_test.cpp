@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/metrics/comparison.hpp"
+#include "corticle/metrics/measure_table.hpp"
 
 #include "corticle/geometry/shapes.hpp"
 #include "corticle/metrics/fold_measures.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/metrics/fold_measures.hpp"
+#include "corticle/metrics/measure_table.hpp"
 
 #include "geometry/simple_surfaces.hpp"
 #include "metrics/turned_surfaces.hpp"

@@ -95,15 +95,4 @@ double residual_force(const Simulation& simulation, std::span<const Mat3> F)
     return ratio(radius * force_of_patches(simulation.state().motion.force), sums.stress, least_stress * sums.volume);
 }
 
-std::span<const EquilibriumColumn> equilibrium_columns()
-{
-    static constexpr std::array columns{
-        EquilibriumColumn{"zero_mode_share", &EquilibriumMeasures::zero_mode_share},
-        EquilibriumColumn{"kinetic_share", &EquilibriumMeasures::kinetic_share},
-        EquilibriumColumn{"dissipated_share", &EquilibriumMeasures::dissipated_share},
-        EquilibriumColumn{"energy_balance_error", &EquilibriumMeasures::energy_balance_error},
-        EquilibriumColumn{"residual_force", &EquilibriumMeasures::residual_force}};
-    return columns;
-}
-
 } // namespace corticle

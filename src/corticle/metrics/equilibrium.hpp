@@ -40,12 +40,4 @@ EquilibriumMeasures equilibrium_measures(const EnergyBalance& energies, double v
 /// drag carries the load instead of the tissue, whatever the resolution. 0 where the stress is only rounding.
 double residual_force(const Simulation& simulation, std::span<const Mat3> F);
 
-/// One column of files: key, member. All are pure numbers.
-struct EquilibriumColumn
-{
-    std::string_view key;
-    double EquilibriumMeasures::*value;
-};
-std::span<const EquilibriumColumn> equilibrium_columns();
-
 } // namespace corticle

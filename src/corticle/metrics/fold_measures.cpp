@@ -22,20 +22,6 @@ constexpr double adult_radius_mm = 67.0;
 constexpr double least_ball_share = 0.05;          ///< of the root of the hull's area: matters for thin sheets only
 constexpr double least_curvature_variation = 0.02; ///< of H over its mean square root: less is a smooth body
 
-constexpr std::array columns{
-    FoldColumn{"gi_zilles", "-", &FoldMeasures::gi_zilles},
-    FoldColumn{"gi_local_mean", "-", &FoldMeasures::gi_local_mean},
-    FoldColumn{"abs_mean_curvature_per_mm", "1/mm", &FoldMeasures::abs_mean_curvature_per_mm},
-    FoldColumn{"curvedness_per_mm", "1/mm", &FoldMeasures::curvedness_per_mm},
-    FoldColumn{"sulcal_depth_mean_mm", "mm", &FoldMeasures::sulcal_depth_mean_mm},
-    FoldColumn{"sulcal_depth_max_mm", "mm", &FoldMeasures::sulcal_depth_max_mm},
-    FoldColumn{"sulcal_pits", "-", &FoldMeasures::sulcal_pits},
-    FoldColumn{"gyral_crowns", "-", &FoldMeasures::gyral_crowns},
-    FoldColumn{"fold_wavelength_mm", "mm", &FoldMeasures::fold_wavelength_mm},
-    FoldColumn{"asymmetry_area", "-", &FoldMeasures::asymmetry_area},
-    FoldColumn{"asymmetry_volume", "-", &FoldMeasures::asymmetry_volume},
-};
-
 /// Size of the body over that of an adult brain.
 double scale_of(std::span<const Vec3> vertices, std::span<const Triangle> triangles)
 {
@@ -83,11 +69,6 @@ double curvature_wavelength(std::span<const Vec3> vertices, std::span<const Tria
 }
 
 } // namespace
-
-std::span<const FoldColumn> fold_columns()
-{
-    return columns;
-}
 
 FoldFields fold_fields(std::span<const Vec3> vertices, std::span<const Triangle> triangles, const FoldOptions& options)
 {

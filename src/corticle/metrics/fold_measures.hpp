@@ -61,13 +61,4 @@ struct FoldMeasures
 FoldMeasures measure_folds(std::span<const Vec3> vertices, std::span<const Triangle> triangles,
                            const FoldFields& fields, const FoldOptions& options = {});
 
-/// Name of a measure in files, its unit, its place.
-struct FoldColumn
-{
-    std::string_view key;
-    std::string_view unit;
-    double FoldMeasures::*value;
-};
-std::span<const FoldColumn> fold_columns();
-
 } // namespace corticle

@@ -3,6 +3,7 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/geometry/self_intersections.hpp"
+#include "corticle/metrics/measure_table.hpp"
 
 #include <fmt/format.h>
 
@@ -18,55 +19,6 @@ namespace
 {
 
 constexpr double probe_in_spacings = 1e-4;
-
-constexpr std::array first_columns{
-    MeasureColumn{"t", "-", &Measures::t},
-    MeasureColumn{"week", "weeks", &Measures::week},
-    MeasureColumn{"length_scale", "-", &Measures::length_scale},
-    MeasureColumn{"steps", "-", &Measures::steps},
-    MeasureColumn{"rejected_steps", "-", &Measures::rejected_steps},
-    MeasureColumn{"area_ratio", "-", &Measures::area_ratio},
-    MeasureColumn{"volume_ratio", "-", &Measures::volume_ratio},
-    MeasureColumn{"thickness_mean_mm", "mm", &Measures::thickness_mean_mm},
-    MeasureColumn{"fold_wavelength_reference_mm", "mm", &Measures::fold_wavelength_reference_mm},
-    MeasureColumn{"fold_degree", "-", &Measures::fold_degree},
-    MeasureColumn{"J_min", "-", &Measures::J_min},
-    MeasureColumn{"J_mean", "-", &Measures::J_mean},
-    MeasureColumn{"J_max", "-", &Measures::J_max},
-    MeasureColumn{"energy_elastic", "mu_w mm3", &Measures::energy_elastic},
-    MeasureColumn{"energy_kinetic", "mu_w mm3", &Measures::energy_kinetic},
-    MeasureColumn{"energy_zero_mode", "mu_w mm3", &Measures::energy_zero_mode},
-    MeasureColumn{"energy_contact", "mu_w mm3", &Measures::energy_contact},
-    MeasureColumn{"energy_dissipated", "mu_w mm3", &Measures::energy_dissipated},
-    MeasureColumn{"work_growth", "mu_w mm3", &Measures::work_growth},
-    MeasureColumn{"overlap_area_share", "-", &Measures::overlap_area_share},
-    MeasureColumn{"max_penetration_mm", "mm", &Measures::max_penetration_mm},
-    MeasureColumn{"barrier_particles", "-", &Measures::barrier_particles},
-    MeasureColumn{"extrapolated_elements", "-", &Measures::extrapolated_elements},
-    MeasureColumn{"inverted_elements", "-", &Measures::inverted_elements},
-    MeasureColumn{"contact_pairs", "-", &Measures::contact_pairs},
-    MeasureColumn{"intersecting_triangles", "-", &Measures::intersecting_triangles},
-    MeasureColumn{"contact_limited_share", "-", &Measures::contact_limited_share},
-    MeasureColumn{"energy_contact_limit", "mu_w mm3", &Measures::energy_contact_limit},
-};
-
-std::vector<MeasureColumn> all_columns()
-{
-    std::vector<MeasureColumn> columns(first_columns.begin(), first_columns.end());
-    for (const EquilibriumColumn& column : equilibrium_columns())
-    {
-        columns.push_back({column.key, "-", column.value});
-    }
-    for (const SizeColumn& column : size_columns())
-    {
-        columns.push_back({column.key, column.unit, column.value});
-    }
-    for (const FoldColumn& column : fold_columns())
-    {
-        columns.push_back({column.key, column.unit, column.value});
-    }
-    return columns;
-}
 
 std::string header()
 {
@@ -130,12 +82,6 @@ void set_energies(const Simulation& simulation, std::span<const Mat3> F, Measure
 
 } // namespace
 
-std::span<const MeasureColumn> measure_columns()
-{
-    static const std::vector<MeasureColumn> columns = all_columns();
-    return columns;
-}
-
 Measures measure(const OutputView& view, const SurfaceArrays& arrays)
 {
     const Simulation& simulation = view.simulation;
@@ -151,7 +97,9 @@ Measures measure(const OutputView& view, const SurfaceArrays& arrays)
 
     const ReferenceFolds waves = reference_folds(view);
 
-    Measures m{now, measure_folds(x, model.cloud.surface_triangles, arrays.folds, fold_options(view)), {}};
+    Measures m;
+    static_cast<SurfaceMeasures&>(m) = now;
+    static_cast<FoldMeasures&>(m) = measure_folds(x, model.cloud.surface_triangles, arrays.folds, fold_options(view));
     m.t = state.t;
     m.week = scale.week;
     m.length_scale = scale.length;
@@ -178,6 +126,7 @@ Measures measure(const OutputView& view, const SurfaceArrays& arrays)
     m.energy_contact_limit = state.travel_taken.energy;
     m.smallest_J_place = scale.length * simulation.place_of_smallest_J();
     m.overlap_place = overlap.place;
+    m.added = added_measures(view);
     return m;
 }
 
@@ -189,7 +138,7 @@ std::string measures_csv(std::span<const Measures> rows)
         std::string_view separator;
         for (const MeasureColumn& column : measure_columns())
         {
-            text += fmt::format("{}{:.17g}", separator, row.*column.value);
+            text += fmt::format("{}{:.17g}", separator, column.of(row));
             separator = ",";
         }
         text += '\n';
@@ -212,7 +161,7 @@ std::vector<Measures> parse_measures_csv(std::string_view text, const std::strin
         Measures row;
         for (const MeasureColumn& column : measure_columns())
         {
-            const auto [next, error] = std::from_chars(at, end, row.*column.value);
+            const auto [next, error] = std::from_chars(at, end, column.in(row));
             if (error != std::errc{} || next == end)
             {
                 throw InputError(

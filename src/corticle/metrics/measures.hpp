@@ -46,16 +46,8 @@ struct Measures : SurfaceMeasures, FoldMeasures, EquilibriumMeasures
     double energy_contact_limit = 0.0;   ///< kinetic energy that it took so far
     Vec3 smallest_J_place{};             ///< where J is smallest [mm at the week]; in no file, as the next
     Vec3 overlap_place{};                ///< of the deepest overlap [mm at the week]
+    std::vector<double> added;           ///< see add_measure()
 };
-
-/// One column of measures.csv: key, unit, member.
-struct MeasureColumn
-{
-    std::string_view key;
-    std::string_view unit;
-    double Measures::*value;
-};
-std::span<const MeasureColumn> measure_columns();
 
 /// @param arrays  those of the same view
 Measures measure(const OutputView& view, const SurfaceArrays& arrays);

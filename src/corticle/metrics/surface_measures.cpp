@@ -16,18 +16,6 @@ namespace corticle
 namespace
 {
 
-constexpr std::array columns{
-    SizeColumn{"area_mm2", "mm2", &SurfaceMeasures::area_mm2},
-    SizeColumn{"volume_mm3", "mm3", &SurfaceMeasures::volume_mm3},
-    SizeColumn{"area_per_volume", "1/mm", &SurfaceMeasures::area_per_volume},
-    SizeColumn{"hull_area_mm2", "mm2", &SurfaceMeasures::hull_area_mm2},
-    SizeColumn{"gi_hull", "-", &SurfaceMeasures::gi_hull},
-    SizeColumn{"gi_sphere", "-", &SurfaceMeasures::gi_sphere},
-    SizeColumn{"length_mm", "mm", &SurfaceMeasures::length_mm},
-    SizeColumn{"width_mm", "mm", &SurfaceMeasures::width_mm},
-    SizeColumn{"height_mm", "mm", &SurfaceMeasures::height_mm},
-};
-
 Vec3 area_vector(const TriangleMesh& mesh, const Triangle& corner)
 {
     const Vec3 a = mesh.vertices[static_cast<std::size_t>(corner[0])];
@@ -52,11 +40,6 @@ double distance_to_pierced(const Vec3& point, const Vec3& normal, const Triangle
 }
 
 } // namespace
-
-std::span<const SizeColumn> size_columns()
-{
-    return columns;
-}
 
 SurfaceMeasures measure_surface(std::span<const Vec3> vertices, std::span<const Triangle> triangles)
 {

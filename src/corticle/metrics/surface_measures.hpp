@@ -24,15 +24,6 @@ struct SurfaceMeasures
 
 SurfaceMeasures measure_surface(std::span<const Vec3> vertices, std::span<const Triangle> triangles);
 
-/// Name of a measure in files, its unit, its place.
-struct SizeColumn
-{
-    std::string_view key;
-    std::string_view unit;
-    double SurfaceMeasures::*value;
-};
-std::span<const SizeColumn> size_columns();
-
 /// How much of a surface lies inside another part of the body.
 struct Overlap
 {

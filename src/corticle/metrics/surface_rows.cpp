@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/metrics/surface_rows.hpp"
 
+#include "corticle/metrics/measure_table.hpp"
 #include "corticle/metrics/surface_measures.hpp"
 
 namespace corticle

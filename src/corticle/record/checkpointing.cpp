@@ -4,6 +4,7 @@
 #include "corticle/base/error.hpp"
 #include "corticle/base/version.hpp"
 #include "corticle/formats/format_error.hpp"
+#include "corticle/metrics/measure_table.hpp"
 
 #include <fmt/format.h>
 
@@ -100,7 +101,7 @@ Checkpoint to_checkpoint(const State& state, std::span<const Measures> rows, con
         std::vector<double>& values = checkpoint.scalars[column_name(column)];
         for (const Measures& row : rows)
         {
-            values.push_back(row.*column.value);
+            values.push_back(column.of(row));
         }
     }
     return checkpoint;
@@ -149,7 +150,7 @@ Restored from_checkpoint(const Checkpoint& checkpoint, std::size_t particles, co
         const std::vector<double>& values = entries.column(column);
         for (std::size_t k = 0; k < values.size(); ++k)
         {
-            restored.rows[k].*column.value = values[k];
+            column.in(restored.rows[k]) = values[k];
         }
     }
     return restored;

@@ -3,6 +3,7 @@
 
 #include "corticle/base/version.hpp"
 #include "corticle/config/parameters.hpp"
+#include "corticle/metrics/measure_table.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -82,41 +83,14 @@ std::string summary_json(const Simulation& simulation, const PreparationReport& 
     j["measures_s"] = info.measures_s;
     j["output_s"] = info.output_s;
     j["peak_memory_mb"] = peak_memory_mb();
-    for (const SizeColumn& column : size_columns())
-    {
-        j[std::string(column.key)] = last.*column.value;
-    }
-    j["area_ratio"] = last.area_ratio;
-    j["volume_ratio"] = last.volume_ratio;
-    for (const FoldColumn& column : fold_columns())
-    {
-        j[std::string(column.key)] = last.*column.value;
-    }
-    j["thickness_mean_mm"] = last.thickness_mean_mm;
-    j["fold_wavelength_reference_mm"] = last.fold_wavelength_reference_mm;
-    j["fold_degree"] = last.fold_degree;
     j["onset_t"] = state.onset_t >= 0.0 ? nlohmann::ordered_json(state.onset_t) : nlohmann::ordered_json(nullptr);
-    j["J_min"] = last.J_min;
-    j["J_mean"] = last.J_mean;
-    j["J_max"] = last.J_max;
-    j["energy_elastic"] = last.energy_elastic;
-    j["energy_kinetic"] = last.energy_kinetic;
-    j["energy_zero_mode"] = last.energy_zero_mode;
-    j["energy_contact"] = last.energy_contact;
-    j["energy_dissipated"] = last.energy_dissipated;
-    j["work_growth"] = last.work_growth;
-    for (const EquilibriumColumn& column : equilibrium_columns())
+    for (const MeasureColumn& column : measure_columns())
     {
-        j[std::string(column.key)] = last.*column.value;
+        if (column.key != "contact_pairs" && !j.contains(column.key))
+        {
+            j[std::string(column.key)] = column.of(last);
+        }
     }
-    j["barrier_particles"] = last.barrier_particles;
-    j["extrapolated_elements"] = last.extrapolated_elements;
-    j["inverted_elements"] = last.inverted_elements;
-    j["max_penetration_mm"] = last.max_penetration_mm;
-    j["overlap_area_share"] = last.overlap_area_share;
-    j["intersecting_triangles"] = last.intersecting_triangles;
-    j["contact_limited_share"] = last.contact_limited_share;
-    j["energy_contact_limit"] = last.energy_contact_limit;
     j["spacing_mm"] = model.cloud.spacing;
     j["neighbours_mean"] = made.neighbors_mean;
     j["dropped_pairs"] = made.visibility.dropped_pairs;

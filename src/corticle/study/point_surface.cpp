@@ -9,6 +9,7 @@
 #include "corticle/geometry/surface_tree.hpp"
 #include "corticle/mesh/point_tree.hpp"
 #include "corticle/metrics/comparison.hpp"
+#include "corticle/metrics/measure_table.hpp"
 #include "corticle/metrics/surface_measures.hpp"
 #include "corticle/study/delaunay.hpp"
 
