@@ -3,8 +3,8 @@
 
 #include "corticle/mechanics/tlsph/pair_law.hpp"
 
-// What the two passes read, write and compute, counted off tlsph/pair_law.hpp and tlsph/solver.cpp. To be kept in step
-// with them, and with the table of docs/performance.md.
+// What the two passes read, write and compute, counted off pair_law.hpp and solver.cpp of mechanics/tlsph. To be
+// kept in step with them, and with the table of docs/performance.md.
 
 namespace corticle::bench
 {

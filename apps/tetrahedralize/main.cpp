@@ -172,7 +172,7 @@ int main()
 {
     prctl(PR_SET_PDEATHSIG, SIGKILL); // nobody else waits for the mesh
     const int output = dup(STDOUT_FILENO);
-    dup2(STDERR_FILENO, STDOUT_FILENO); // what libraries print is no part of the mesh
+    dup2(STDERR_FILENO, STDOUT_FILENO); // what libraries print is not part of the mesh
     const corticle::TetStatus status = corticle::guarded(output);
     std::fflush(nullptr);
     _exit(static_cast<int>(status)); // Gmsh is not taken down: its memory goes with the process

@@ -29,7 +29,7 @@ FOLDED_FROM = 0.5
 FOLDED = 1.1
 
 # Elastic, zero-mode, kinetic, contact and dissipated energy over the work of growth at the end: 1.002 to 1.005 at 6,000
-# particles, where the books are kept to first order in the step. A force that is not the derivative of its energy breaks this.
+# particles, where the energy balance is of first order in the step. A force that is not the derivative of its energy breaks this.
 BALANCE = 0.002
 MOST_REJECTED_SHARE = 0.001
 LOADED_TWICE = "sphere"

@@ -4,7 +4,7 @@
 import json
 import time
 
-# Books of the machine, not of the body.
+# Figures of the machine, not of the body.
 VOLATILE = {"wall_s", "us_per_particle_step", "ns_per_element_step", "peak_memory_mb", "internal_forces_s", "contact_s", "measures_s", "output_s"}
 
 

@@ -10,7 +10,7 @@ import _command
 
 CASE = ('[geometry]\nparticles = 800\n[tissue]\nlayer = "binary"\nlambda = 0.75\n'
         '[time]\nend = 0.1\n[output]\ncount = 2\npictures = "off"\n')
-# Books of the machine, not of the body.
+# Figures of the machine, not of the body.
 VOLATILE = {"wall_s", "us_per_particle_step", "peak_memory_mb", "internal_forces_s", "contact_s", "measures_s", "output_s", "threads"}
 
 

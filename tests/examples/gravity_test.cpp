@@ -35,14 +35,15 @@ class Gravity final : public ForceTerm
     std::vector<NamedEnergy> energies() const override { return {{"gravity", potential_}}; }
     void accept(const StepContext& context, History& history) override
     {
-        history["gravity.falling_time"] = {fallen_ += context.dt};
+        std::vector<double>& fallen = history["gravity.falling_time"];
+        fallen.resize(1);
+        fallen[0] += context.dt;
     }
 
   private:
     std::vector<double> masses_;
     Vec3 acceleration_;
     double potential_ = 0.0;
-    double fallen_ = 0.0;
 };
 
 Vec3 centre_of_mass(const Simulation& simulation)

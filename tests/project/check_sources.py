@@ -8,7 +8,7 @@ from _project import cpp_files, finish, parse_arguments
 LICENCE = "SPDX-License-Identifier: GPL-3.0-or-later"
 LONGEST = 400
 THREADS = re.compile(r"^\s*#\s*(pragma\s+omp\s+(?!simd|declare\s+simd)|include\s*<(omp\.h|thread)>)", re.MULTILINE)
-MAY_KNOW_THREADS = ("src/corticle/base/parallel.hpp", "src/corticle/base/parallel.cpp")
+MAY_KNOW_THREADS = ("src/corticle/base/parallel.hpp",)
 
 
 def other_sources(source):

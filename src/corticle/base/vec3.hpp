@@ -20,7 +20,7 @@ struct alignas(sizeof(Real) == sizeof(double) ? 32 : alignof(Real)) BasicVec3
 
     CORTICLE_INLINE constexpr Real& operator[](int axis) { return axis == 0 ? x : (axis == 1 ? y : z); }
     CORTICLE_INLINE constexpr const Real& operator[](int axis) const { return axis == 0 ? x : (axis == 1 ? y : z); }
-    /// Of the three numbers: the fourth lane is no part of the vector.
+    /// Compares the three numbers: the fourth lane is not part of the vector.
     CORTICLE_INLINE friend constexpr bool operator==(const BasicVec3& a, const BasicVec3& b)
     {
         return a.x == b.x && a.y == b.y && a.z == b.z;

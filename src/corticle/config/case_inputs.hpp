@@ -27,7 +27,8 @@ void identify_inputs(Options& options);
 void forget_names(Options& options);
 
 /// One line of an [inputs] table: the file of a key had this checksum.
-/// @throws InputError for a key that names no file, or what is no checksum; `where` ("case.toml:4") is in the message
+/// @throws InputError for a key that names no file, or what is not a checksum; `where` ("case.toml:4") is in the
+/// message
 void assign_input(Options& options, const std::string& key, const Value& value, const std::string& where);
 
 /// The [inputs] table of a resolved case; empty where no file is known.

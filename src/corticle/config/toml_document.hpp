@@ -41,7 +41,7 @@ TomlNode parse_toml_tree(std::string_view text, const std::string& name, std::st
 /// Sections and keys of a TOML text. @throws InputError with the line, for text that is not TOML, too long or too deep.
 std::vector<TomlEntry> parse_toml(std::string_view text, const std::string& name);
 
-/// One value written as TOML; nothing where the text is no such value.
+/// One value written as TOML; nothing where the text is not such a value.
 std::optional<Value> parse_toml_value(std::string_view text);
 
 } // namespace corticle

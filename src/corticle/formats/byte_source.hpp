@@ -45,7 +45,7 @@ class ByteSource
         return true;
     }
 
-    /// What is left of base64, up to its end or the first character that is none.
+    /// What is left of base64, up to its end or the first character that is not base64.
     std::string take_all()
     {
         while (decode_group())

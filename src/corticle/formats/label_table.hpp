@@ -26,7 +26,7 @@ struct LabelTable
 /// Reads a table (parse_text_table) whose header holds "label" and the names of further columns, of which those in
 /// `used` are read; what stands in the others is left alone.
 /// @throws InputError, one line naming file and line, on a missing header, the same column twice, a wrong number of
-/// cells, a label that is no whole number or is there twice, or a value that is not finite
+/// cells, a label that is not a whole number or is there twice, or a value that is not finite
 LabelTable read_label_table(const std::filesystem::path& file, std::span<const std::string_view> used);
 
 } // namespace corticle

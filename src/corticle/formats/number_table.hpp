@@ -31,7 +31,7 @@ struct NumberTable
 /// Reads a table (parse_text_table) of numbers under a header of "key [unit]" or "key", whatever the keys. Empty cells
 /// are NaN, and so is text in columns other than `used`; without any, all columns must hold numbers.
 /// @throws InputError, one line naming the file, when it is missing, has no header, the same key twice, a row of
-/// another length, or a cell that is no number
+/// another length, or a cell that is not a number
 NumberTable read_number_table(const std::filesystem::path& file, std::span<const std::string_view> used = {});
 
 /// The same from text already in memory; `name` is used in messages.

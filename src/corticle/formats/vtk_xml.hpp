@@ -45,7 +45,7 @@ class VtkXmlFile
   public:
     /// @param type "PolyData" or "UnstructuredGrid"
     /// @param largest_growth the decoded arrays together take at most this many times the bytes (and 64 kB)
-    /// @throws InputError, one line, when the bytes are no such file.
+    /// @throws InputError, one line, when the bytes are not such a file.
     VtkXmlFile(std::string_view bytes, std::string type, std::string file, std::size_t largest_growth);
 
     const std::vector<VtkXmlPiece>& pieces() const { return pieces_; }

@@ -21,7 +21,7 @@ enum class TetStatus
     done = 0,
     not_filled = 1, ///< Gmsh cannot fill the surface
     out_of_memory = 2,
-    not_understood = 3 ///< the input is no request
+    not_understood = 3 ///< the input is not a request
 };
 
 /// A closed surface to fill with tets of about this size.
@@ -101,7 +101,7 @@ inline std::string to_bytes(const TetAnswer& answer)
     return bytes;
 }
 
-/// Nothing where the bytes are no request.
+/// Nothing where the bytes are not a request.
 inline std::optional<TetRequest> read_request(std::string_view bytes)
 {
     TetRequest request;
@@ -114,7 +114,7 @@ inline std::optional<TetRequest> read_request(std::string_view bytes)
     return is_sound ? std::optional(std::move(request)) : std::nullopt;
 }
 
-/// Nothing where the bytes are no answer.
+/// Nothing where the bytes are not an answer.
 inline std::optional<TetAnswer> read_answer(std::string_view bytes)
 {
     TetAnswer answer;

@@ -36,7 +36,8 @@ void join(InternalResponse& total, const InternalResponse& part);
 std::string describe_point(const Vec3& x, const Vec3& X, double depth, const Mat3& F);
 
 /// A body cut into nodes that carry mass and material points that carry stress: says which forces the tissue exerts on
-/// its nodes for given positions and growth. Contact, integrator, measures and output know no more of it.
+/// its nodes for given positions and growth. The other force terms, the integrator, measures and output know no more of
+/// it.
 class Discretization
 {
   public:

@@ -43,7 +43,7 @@ struct Contribution
     double growth_power = 0.0;   ///< dE/dt at fixed positions, per unit of growth time [mu_w mm³]
     double viscous_power = 0.0;  ///< taken from the motion [mu_w mm³ per unit of time]
     double stable_step = std::numeric_limits<double>::infinity(); ///< longest step, in time, the safety factor included
-    std::int64_t invalid_at = -1; ///< first node where the state is none (inverted, not finite); -1 where it is sound
+    std::int64_t invalid_at = -1; ///< first node where the state is invalid (inverted, not finite); -1: none
 
     Contribution& operator+=(const Contribution& other)
     {

@@ -11,7 +11,7 @@ namespace corticle
 // Conditions on several numbers are one comparison, of the largest or the least of them: compilers take masks that are
 // combined apart into single lanes. They combine them themselves where two choices in a row choose the same.
 
-/// a limited to [0, 1]; 0 where it is no number.
+/// a limited to [0, 1]; 0 where it is NaN.
 template <RealLike Real>
 CORTICLE_INLINE Real limited_to_unit(const Real& a)
 {
@@ -77,7 +77,7 @@ CORTICLE_INLINE std::array<Real, 2> closest_of_segments(const BasicVec3<Real>& a
     const Real determinant = uu * vv - uv * uv;
     const Real inside =
         determinant > 1e-14 * uu * vv ? limited_to_unit((uv * vw - uw * vv) / determinant) : broadcast<Real>(0.5);
-    const Real t = (uv * inside + vw) / vv; // no number where c is d
+    const Real t = (uv * inside + vw) / vv; // NaN where c is d
     const Real at_c = limited_to_unit(-uw / uu);
     const Real at_d = limited_to_unit((uv - uw) / uu);
     return {t > 1.0 ? at_d : (t >= 0.0 ? inside : at_c), limited_to_unit(t)};

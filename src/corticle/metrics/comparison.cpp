@@ -38,7 +38,7 @@ class Interpolator
     {
     }
 
-    /// The value at a place, without the point `left_out`; not a number where no point is near.
+    /// The value at a place, without the point `left_out`; NaN where no point is near.
     double at(const Vec3& place, std::int32_t left_out = no_point) const
     {
         Moments m;
@@ -110,7 +110,7 @@ class Interpolator
     CellGrid grid_;
 };
 
-/// Sum, largest and number of absolute differences; those that are not numbers are left out.
+/// Sum, largest and number of absolute differences; NaN are left out.
 struct Differences
 {
     double sum = 0.0;
@@ -135,7 +135,7 @@ struct Differences
     double mean() const { return count > 0.0 ? sum / count : nan; }
 };
 
-/// Mean of two numbers; where one is not a number, the other.
+/// Mean of two numbers; where one is NaN, the other.
 double mean_of(double a, double b)
 {
     return std::isnan(a) ? b : (std::isnan(b) ? a : 0.5 * (a + b));

@@ -8,7 +8,7 @@
 namespace corticle
 {
 
-/// 100 (b - a) / |a| [%]; 0 where both are equal, not a number where only a is 0 or one of them is not finite.
+/// 100 (b - a) / |a| [%]; 0 where both are equal, NaN where only a is 0 or one of them is not finite.
 double percent_difference(double a, double b);
 
 /// Is this measure a share or an asymmetry? They may be 0 and are compared by their difference, not in percent.
@@ -18,7 +18,7 @@ bool is_share(std::string_view key);
 /// hundredth of b or a millionth of `scale`. @param scale  size of the measure, such as its largest value in a run
 double telling_percent(std::string_view key, double a, double b, double scale = 0.0);
 
-/// The value at `at` of a curve through (x, y), linear between its points; x ascends. Not a number outside the curve.
+/// The value at `at` of a curve through (x, y), linear between its points; x ascends. NaN outside the curve.
 double interpolate(std::span<const double> x, std::span<const double> y, double at);
 
 /// A scalar at points of the reference configuration.

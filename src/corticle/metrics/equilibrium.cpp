@@ -78,7 +78,7 @@ double residual_force(const Simulation& simulation, std::span<const Mat3> F)
             for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
             {
                 part.volume += volumes[i];
-                if (determinant(F[i]) > 0.0) // the mean over inverted tets may be no deformation at all
+                if (determinant(F[i]) > 0.0) // the mean over inverted tets may be singular or inverted
                 {
                     const Mat3 P = cauchy_stress_at(simulation, i, F[i]) * cofactor(F[i]);
                     part.stress += volumes[i] * frobenius(P);

@@ -34,10 +34,10 @@ struct EnergyBalance
 /// The shares of the energies. @param volume  of the body at rest [mm³], the scale of what rounding makes of nothing
 EquilibriumMeasures equilibrium_measures(const EnergyBalance& energies, double volume);
 
-/// Force left over, against the stress that should hold it: R sum |f_p| / sum V_i |P_i|, with f_p the force (tissue and
+/// Residual force, against the stress that should hold it: R sum |f_p| / sum V_i |P_i|, with f_p the force (tissue and
 /// contact, without drag) on the nodes of one of 512 patches, V_i and P_i the volume and the first Piola-Kirchhoff
 /// stress of node i, and R the radius of the sphere of the body's volume. 0 in equilibrium, about 1 where inertia or
-/// drag carries the load instead of the tissue, whatever the resolution. 0 where there is no stress but rounding.
+/// drag carries the load instead of the tissue, whatever the resolution. 0 where the stress is only rounding.
 double residual_force(const Simulation& simulation, std::span<const Mat3> F);
 
 } // namespace corticle

@@ -17,7 +17,7 @@ namespace corticle
 struct Measures : SurfaceMeasures, FoldMeasures, EquilibriumMeasures
 {
     double t = 0.0;
-    double week = std::numeric_limits<double>::quiet_NaN(); ///< gestational age; not a number without a clock
+    double week = std::numeric_limits<double>::quiet_NaN(); ///< gestational age; NaN without a clock
     double length_scale = 1.0;                              ///< see PhysicalScale
     double steps = 0.0;
     double rejected_steps = 0.0;

@@ -50,7 +50,7 @@ double mean_square_about_mean(std::span<const double> values, std::span<const do
     return squares / area - (sum / area) * (sum / area);
 }
 
-/// Degree of the radial displacement about the middle of a spherical surface; 0 when it is no sphere.
+/// Degree of the radial displacement about the middle of a spherical surface; 0 when it is not a sphere.
 int dominant_degree_of(std::span<const Vec3> X, std::span<const Vec3> x, std::span<const double> areas)
 {
     Vec3 centre;

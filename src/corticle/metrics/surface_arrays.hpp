@@ -24,7 +24,7 @@ struct ReferenceFolds
 {
     double wavelength_mm = 0.0; ///< dominant wavelength of the normal displacement, in the reference frame; 0: no folds
     double degree = 0.0;        ///< spherical harmonic of 1 to 30 with the most power of the radial displacement; 0: no
-                                ///< folds, or the reference surface is no sphere
+                                ///< folds, or the reference surface is not a sphere
 };
 
 ReferenceFolds reference_folds(const OutputView& view);

@@ -12,7 +12,7 @@ namespace corticle
 /// What turns the coordinates of a run, in mm of the body as it was given, into those of a brain at its week.
 struct PhysicalScale
 {
-    double week = std::numeric_limits<double>::quiet_NaN(); ///< gestational age [weeks]; not a number without a clock
+    double week = std::numeric_limits<double>::quiet_NaN(); ///< gestational age [weeks]; NaN without a clock
     double length = 1.0; ///< mm at this week per mm of the run; areas go with its square, volumes with its cube
 };
 

@@ -270,7 +270,7 @@ void Simulation::require_step(double dt) const
                                state_->rejected_steps, state_->step_scale, cause_of_short_step()));
 }
 
-/// In words of the term without which the step would be long enough; of the tissue where there is none.
+/// What makes the step short, as the term says without which it would be long enough; where no term is, the tissue.
 std::string Simulation::cause_of_short_step() const
 {
     const std::vector<Vec3>& x = state_->motion.x;

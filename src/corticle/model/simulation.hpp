@@ -46,7 +46,7 @@ class Simulation
     std::vector<NamedEnergy> energies() const;
     const InternalResponse& internal() const { return tissue_->response(); }
     ContactResponse contact() const { return contact_ != nullptr ? contact_->response() : ContactResponse{}; }
-    /// Wall time that a term has taken since the simulation was made [s]; 0 for a term there is none of.
+    /// Wall time that a term has taken since the simulation was made [s]; 0 where there is no term of this name.
     double seconds_of(std::string_view term) const;
     double total_time() const { return total_time_; }
     /// Step the state allows now, in growth time [-].

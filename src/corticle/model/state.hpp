@@ -10,7 +10,7 @@
 namespace corticle
 {
 
-/// Energy books of a run, summed over its steps [mu_w mm³].
+/// Energy balance of a run: what went in and what was taken out, summed over its steps [mu_w mm³].
 struct EnergyBooks
 {
     double growth_work = 0.0; ///< put in by growth

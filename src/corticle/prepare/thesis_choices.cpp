@@ -40,7 +40,7 @@ std::vector<double> layer_by_lambda(const PreparationOptions& options, std::span
     const double lambda = options.tissue.lambda;
     if (options.geometry.shape == Shape::file || options.geometry.volumes == VolumeRule::neighbour_count)
     {
-        // Volumes by counts say nothing about the layer's.
+        // Volumes by neighbour counts are not those of the cells, so they say nothing about the volume of the layer.
         return ellipsoid_layer_by_centres(places, fitted_semi_axes(nodes), lambda, extents_centre(nodes));
     }
     return ellipsoid_layer(places, volumes, semi_axes(options.geometry), lambda);

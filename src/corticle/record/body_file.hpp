@@ -13,7 +13,8 @@ namespace corticle
 void write_body(const std::filesystem::path& file, const Preparation& made, const Options& options);
 
 /// An arranged body as write_body left it, bit for bit; connect_body makes it ready.
-/// @throws InputError when it is no body file, or was made from other keys of [geometry] or [map], or by another method
+/// @throws InputError when it is not a body file, or was made from other keys of [geometry] or [map], or by another
+/// method
 Preparation read_body(const std::filesystem::path& file, const Options& options);
 
 } // namespace corticle

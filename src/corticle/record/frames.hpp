@@ -16,7 +16,7 @@ namespace corticle
 struct Frame
 {
     double t = 0.0;
-    double week = std::numeric_limits<double>::quiet_NaN(); ///< not a number where it is not known
+    double week = std::numeric_limits<double>::quiet_NaN(); ///< NaN where it is not known
     std::string name;                                       ///< "0007": part of every file name of the frame
     std::vector<Vec3> particles;                            ///< current positions [mm]
     std::vector<Vec3> origins;                              ///< reference positions of the particles [mm]
@@ -33,7 +33,7 @@ struct Frame
     std::vector<double> mean_curvature; ///< of the surface vertices [1/mm]
 };
 
-/// Edge of a cube of the mean volume [mm]; not a number where there are no volumes [mm³].
+/// Edge of a cube of the mean volume [mm]; NaN where there are no volumes [mm³].
 double mean_spacing(std::span<const double> volumes);
 
 /// The run at its present time, as its files show it: all lengths in mm at its week.

@@ -49,7 +49,7 @@ bool is_inside(const fs::path& file)
            std::ranges::none_of(file, [](const fs::path& part) { return part == ".."; });
 }
 
-/// Of the folders on the way to a file the first that is there and is no folder; empty where there is none.
+/// The first component of the path of a file that exists and is not a folder; empty where there is none.
 fs::path obstacle(const fs::path& folder, const fs::path& file)
 {
     fs::path way;

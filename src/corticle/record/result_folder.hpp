@@ -21,7 +21,7 @@ class ResultFolder
     /// Writes nothing.
     /// @param kind    what the folder holds: "run", "sweep", ...
     /// @param option  what the user gave the folder as, for messages
-    /// @throws InputError when it is no folder that can be written or made, holds results of another kind, or another
+    /// @throws InputError when it cannot be written or made, holds results of another kind, or another
     /// process writes to it
     ResultFolder(std::filesystem::path folder, std::string kind, const std::string& option = "--out ");
 

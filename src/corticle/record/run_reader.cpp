@@ -123,7 +123,7 @@ RunContents read_run(const fs::path& folder)
         throw InputError(fmt::format("{}: {}; expected the measures of a run", file.string(),
                                      t == nullptr ? "no column t" : "no rows"));
     }
-    // Not (a < b): also where one is not a number.
+    // Not (a < b): also where one is NaN.
     if (std::adjacent_find(t->values.begin(), t->values.end(), [](double a, double b) { return !(a < b); }) !=
             t->values.end() ||
         !std::isfinite(t->values.front()) || !std::isfinite(t->values.back()))

@@ -15,10 +15,10 @@ std::string markdown_cell(std::string_view text);
 /// line.
 std::string markdown_table(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows);
 
-/// Five significant digits; "-" for what is not a number.
+/// Five significant digits; "-" for NaN.
 std::string table_number(double value);
 
-/// "+1.23 %"; "0 %" below 1e-9 % (round-off), "-" for what is not a number.
+/// "+1.23 %"; "0 %" below 1e-9 % (round-off), "-" for NaN.
 std::string table_percent(double value);
 
 /// A difference of shares, with its sign; a dash for NaN.

@@ -111,7 +111,7 @@ std::vector<Field> comparison_fields(const PreparationComparison& comparison);
 inline constexpr std::array thesis_pictures{"thesis_normals.png", "thesis_volumes.png", "thesis_layer.png"};
 
 /// Cross-sections through the middle of the body: `thesis_normals.png`, `thesis_volumes.png`, `thesis_layer.png`, each
-/// with the thesis's layer on the left. Needs a display or Xvfb, see io/pictures.hpp.
+/// with the thesis's layer on the left. Needs a display or Xvfb, see view/pictures.hpp.
 void write_comparison_pictures(const std::filesystem::path& folder, const Model& model,
                                const PreparationComparison& comparison);
 

@@ -28,7 +28,7 @@ struct RealComparison
     std::vector<std::vector<SurfaceRow>> run_rows; ///< at these
     std::vector<RealSurface> reals;
 
-    /// Measure number `row` of the run, interpolated linearly to a real surface's place; not a number where the run
+    /// Measure number `row` of the run, interpolated linearly to a real surface's place; NaN where the run
     /// does not reach.
     double run_value(std::size_t row, const RealSurface& real) const;
     /// Of reading the real surfaces: "NAME: warning".
@@ -36,7 +36,7 @@ struct RealComparison
 };
 
 /// Measures a run and real surfaces.
-/// @throws InputError for a folder that is no run, a surface that is not one, a place that is missing (FILE without
+/// @throws InputError for a folder that is not a run, a surface that is not one, a place that is missing (FILE without
 /// @WEEK) or that the run cannot know (a week for a run without a clock), and when the run reaches none of them
 RealComparison compare_with_real(const ComparisonRequest& request);
 

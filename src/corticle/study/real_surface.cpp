@@ -18,7 +18,7 @@ namespace
 {
 
 /// Stairs of voxels, smoothed for measuring, are waves of at most 0.06 voxels (root mean square) at any wavelength:
-/// ellipsoids of 9 to 60 voxels, upright and tilted. Waves that are not well above that are no folds.
+/// ellipsoids of 9 to 60 voxels, upright and tilted. Waves that are not well above that are not folds.
 constexpr double least_wave_height_in_voxels = 0.15;
 
 } // namespace

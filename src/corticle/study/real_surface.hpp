@@ -40,7 +40,7 @@ struct RealSurfaceReading
 /// labels asked of a file that has none
 RealSurfaceReading read_real_surface(const std::filesystem::path& file, const RealSurfaceOptions& options);
 
-/// All measures of a real surface. The stairs of voxels are no folds: waves as low as they do not count.
+/// All measures of a real surface. The stairs of voxels are not folds: waves no higher than they do not count.
 std::vector<SurfaceRow> surface_rows(const RealSurfaceReading& reading, FoldOptions options = {});
 
 } // namespace corticle

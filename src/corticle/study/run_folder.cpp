@@ -59,7 +59,7 @@ Start prepare_start(const RunRequest& request, std::optional<Checkpoint> checkpo
     Start start;
     start.draws = request.options.output.pictures == PictureRule::on && can_render(start.no_pictures);
     start.made = request.body.empty() ? arrange_body(request.options) : read_body(request.body, request.options);
-    // Not earlier: Gmsh works in a child process, and locks that the renderer's threads hold at a fork stay held there.
+    // The renderer gets ready while the body is connected.
     std::future<void> renderer = start.draws ? start_renderer() : std::future<void>{};
     connect_body(request.options, start.made);
     if (start.draws)

@@ -10,7 +10,7 @@ namespace corticle
 /// Red, green, blue, each from 0 to 1.
 using Color = std::array<double, 3>;
 
-/// The colour of `fraction` (clamped to 0 to 1; not a number gives grey) on a map: "viridis", "coolwarm" (diverging) or
+/// The colour of `fraction` (clamped to 0 to 1; NaN gives grey) on a map: "viridis", "coolwarm" (diverging) or
 /// "tissue" (white matter, a pale blue-grey, to cortex, a warm red). Another name gives viridis.
 Color map_color(const std::string& map, double fraction);
 

@@ -241,7 +241,7 @@ int caption_size(const std::string& caption)
 std::pair<Vec3, double> extent_of(std::span<const Vec3> points)
 {
     constexpr double far = 1.5;        // times the bulk
-    constexpr std::size_t share = 200; // one point of so many at each end is no part of the bulk
+    constexpr std::size_t share = 200; // one point of so many at each end is not part of the bulk
     Box bulk;
     std::vector<double> along(points.size());
     for (int axis = 0; axis < 3; ++axis)

@@ -35,7 +35,7 @@ TEST(FemExactness, RestIsFreeOfStrainAndForce)
     EXPECT_LT(largest_norm(forces), 1e-12);
 }
 
-/// The block of eight is filled up; what fills it is no tet and has no J.
+/// The block of eight is padded; the padding is not a tet and has no J.
 TEST(FemExactness, SmallestJOfATetCountThatIsNoMultipleOfEight)
 {
     const ElementBody body = test::plain_elements(test::tet_box(3, {-1, -1, -1}, {1, 1, 1}));

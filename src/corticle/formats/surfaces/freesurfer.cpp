@@ -128,8 +128,8 @@ void parse_freesurfer_surface(std::string_view bytes, SurfaceBuilder& surface)
                      "ff ff fe at the start");
     }
     bytes.remove_prefix(surface_magic.size());
-    // Who made it, in a line that most writers end with two newlines, some with one. A second is no number: it would
-    // begin a count of 160 million.
+    // Who made it, in a line that most writers end with two newlines, some with one. A second newline is not a number:
+    // it would begin a count of 160 million.
     bytes.remove_prefix(std::min(bytes.size(), bytes.find('\n') + 1));
     bytes.remove_prefix(bytes.starts_with('\n') ? 1 : 0);
     const bool has_counts = bytes.size() >= 2 * sizeof(std::int32_t);

@@ -17,7 +17,7 @@ namespace corticle
 bool is_freesurfer_surface(std::string_view bytes);
 bool is_freesurfer_scalars(std::string_view bytes);
 
-/// Scalars per vertex. @throws InputError, one line naming `name`, for what is no such file or damaged
+/// Scalars per vertex. @throws InputError, one line naming `name`, for what is not such a file, or is damaged
 std::vector<double> parse_freesurfer_scalars(std::string_view bytes, const std::string& name);
 
 /// Writes a triangle surface whose coordinates are scanner RAS [mm], as float32. The volume geometry behind it says

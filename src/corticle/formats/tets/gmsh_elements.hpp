@@ -24,7 +24,7 @@ struct GmshElementType
     std::string_view name;
 };
 
-/// @throws InputError, naming the place, for an unknown type or a solid that is no tet.
+/// @throws InputError, naming the place, for an unknown type or a solid that is not a tet.
 const GmshElementType& gmsh_element_type(std::int64_t number, const NumberSource& source);
 
 /// Takes the nodes of one element, each of `tag_bytes` bytes, and adds it when it is a tet.

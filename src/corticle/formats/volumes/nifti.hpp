@@ -30,7 +30,7 @@ struct NiftiChoice
 /// negative sizes by their absolute value, a quaternion longer than 1 brought to that length, a qform in place of an
 /// sform of zeros. Never crashes, hangs or allocates more than the file can justify.
 /// @throws InputError, one line naming the file, when it is missing, truncated, not of this format, a 4D image without
-/// a choice of its volume, or holds absurd sizes or numbers that are no labels.
+/// a choice of its volume, or holds absurd sizes or numbers that are not labels.
 LabelVolume read_nifti(const std::filesystem::path& file, const NiftiChoice& choice = {});
 
 /// The same from bytes already in memory; `name` is used in messages. (What the fuzz test drives.)

@@ -10,7 +10,7 @@ namespace corticle
 class NiftiFields
 {
   public:
-    /// @throws InputError for what is no header of NIfTI-1 or -2, or a truncated one
+    /// @throws InputError for what is not a header of NIfTI-1 or -2, or a truncated one
     NiftiFields(InflatingStream& stream, const std::string& name);
 
     const std::string& file() const { return name_; }

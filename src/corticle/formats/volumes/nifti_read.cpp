@@ -33,7 +33,7 @@ std::size_t chosen_volume(const NiftiHeader& header, std::optional<std::int64_t>
     return static_cast<std::size_t>(chosen);
 }
 
-/// Turns the numbers of an image into labels, and counts those that are none.
+/// Turns the numbers of an image into labels, and counts those that are not labels.
 class LabelReader
 {
   public:

@@ -18,7 +18,7 @@ using Edge = std::array<std::int32_t, 2>;
 /// Every edge of a triangulation once, in lexicographic order.
 std::vector<Edge> unique_edges(std::span<const Triangle> triangles);
 
-/// A vertex and a triangle it is no corner of.
+/// A vertex and a triangle of which it is not a corner.
 struct VertexTriangle
 {
     std::int32_t vertex;

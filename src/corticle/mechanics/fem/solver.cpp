@@ -149,7 +149,7 @@ std::string FemSolver::diagnosis(std::int64_t node, std::span<const Vec3> x) con
         if (std::ranges::find(elements_.tets[e], node) != elements_.tets[e].end())
         {
             const double J = determinant(deformation_gradient(elements_, e, x));
-            if (!(J >= smallest_J)) // one that is no number is the worst
+            if (!(J >= smallest_J)) // NaN is the worst
             {
                 worst = e;
                 smallest_J = J;

@@ -55,7 +55,7 @@ struct LaneSums
     WideLanes barrier_count{};
 };
 
-/// Notes the smallest J, and the first particle whose J is none that a body can have.
+/// Notes the smallest J, and the first particle whose J no body can have: not positive, or not finite.
 CORTICLE_INLINE void note_volumes(const WideGroup& group, WideLanes J, InternalResponse& total)
 {
     for_lanes(J < total.smallest_J,

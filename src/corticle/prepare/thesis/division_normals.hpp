@@ -21,8 +21,8 @@ NormalLines triangle_normal_lines(const TriangleMesh& surface);
 std::int32_t division_of(const Vec3& point, std::int32_t divisions, const Vec3& centre);
 
 /// Normals as the thesis takes them (section 2.4.2): of the normal lines in the particle's own piece of the body, the
-/// direction of the one that passes nearest to it. Lines are infinite, so on a body that is no sphere the nearest may
-/// belong to a far part of the surface.
+/// direction of the one that passes nearest to it. Lines are infinite, so on a body that is not a sphere the nearest
+/// may belong to a far part of the surface.
 /// @param positions  reference [mm]
 /// @param divisions  number of pieces, even
 /// @param centre     where the pieces meet [mm]

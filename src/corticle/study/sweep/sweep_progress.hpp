@@ -12,7 +12,7 @@ struct SweepJob;
 
 /// A line for each run that ends, on standard output, with its warnings on standard error, and a line on the terminal
 /// that follows all runs: done of total, running, failed, time left. Silent when `quiet` is set; the line is not drawn
-/// where stderr is no terminal.
+/// where stderr is not a terminal.
 class SweepProgress
 {
   public:

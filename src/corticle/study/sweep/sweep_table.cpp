@@ -19,7 +19,7 @@ namespace
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// A measure at growth time t; not a number where the run did not come so far, or cannot be read.
+/// A measure at growth time t; NaN where the run did not come so far, or cannot be read.
 double measure_at(const std::filesystem::path& folder, const std::string& key, double t)
 {
     try

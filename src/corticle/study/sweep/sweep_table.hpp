@@ -23,11 +23,11 @@ struct SweepRow
     std::filesystem::path folder; ///< relative to that of the sweep
     RunState state;
     bool is_kept = false;         ///< finished before this call
-    std::vector<double> measures; ///< as many as the sweep has; not a number where there is none
+    std::vector<double> measures; ///< as many as the sweep has; NaN where there is none
     std::string reference;        ///< name of the run that J is compared to; empty: none
     std::vector<JDifference> J;   ///< from that run: at each compare_t of the sweep, or once
 
-    /// A number of summary.json; not a number where there is none.
+    /// A number of summary.json; NaN where there is none.
     double number(const std::string& key) const;
     /// Wall time of a step, everything included [s].
     double step_s() const;
