@@ -82,22 +82,22 @@ struct Ball
 {
     explicit Ball(std::int64_t count) : Ball(jittered_ball(count)) {}
 
-    Particles particles;
-    TissueOptions options;
-    TissueFields fields;
-    TissueState state;
+    tlsph::Particles particles;
+    material::TissueOptions options;
+    material::TissueFields fields;
+    material::TissueState state;
 
-    Tissue tissue() const { return {options, fields, state}; }
+    material::Tissue tissue() const { return {options, fields, state}; }
     double pairs = 0.0;
 
   private:
     explicit Ball(const Cloud& cloud)
     {
-        TlsphOptions tlsph;
+        tlsph::TlsphOptions tlsph;
         tlsph.support = support_for(usual_neighbors, cloud);
-        const Neighbors neighbors = find_pairs_within(cloud.positions, tlsph.support * cloud.spacing);
+        const Neighbors neighbors = cloud::find_pairs_within(cloud.positions, tlsph.support * cloud.spacing);
         pairs = static_cast<double>(neighbors.index.size());
-        particles = make_particles(cloud, neighbors, tlsph);
+        particles = tlsph::make_particles(cloud, neighbors, tlsph);
         const double radius = std::cbrt(3.0 * static_cast<double>(cloud.positions.size()) / (4.0 * std::numbers::pi));
         options.thickness_mm = 3.0;
         fields.volume = cloud.volumes;
@@ -107,7 +107,7 @@ struct Ball
             fields.depth.push_back(std::max(0.0, radius - norm(X)));
             fields.normal.push_back(normalized(X));
         }
-        set_layer(fields, options, {}, 0.0, state);
+        material::set_layer(fields, options, {}, 0.0, state);
     }
 };
 

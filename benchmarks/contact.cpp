@@ -16,18 +16,18 @@ void report(benchmark::State& state, const FoldedSphere& surface, double candida
     state.counters["candidates"] = candidates;
 }
 
-double count(const Candidates& candidates)
+double count(const contact::Candidates& candidates)
 {
     return static_cast<double>(candidates.vertex_triangle.size() + candidates.edge_edge.size());
 }
 
 /// Pairs of a fully folded surface as SurfaceContact with its default options asks for them where vertices move at
 /// 0.004 spacings a step.
-double find_candidates(const FoldedSphere& surface, SurfaceParts& parts)
+double find_candidates(const FoldedSphere& surface, contact::SurfaceParts& parts)
 {
     constexpr double dhat = 0.3;  // [spacings]
     constexpr double reach = 0.2; // [spacings]
-    Candidates found;
+    contact::Candidates found;
     parts.find_candidates(surface.x, dhat, std::vector(surface.x.size(), reach), found);
     return count(found);
 }
@@ -36,7 +36,7 @@ double find_candidates(const FoldedSphere& surface, SurfaceParts& parts)
 void contact_detection(benchmark::State& state)
 {
     const FoldedSphere& surface = made_for<FoldedSphere>(state.range(0));
-    SurfaceParts parts(surface.rest.triangles, surface.rest.vertices);
+    contact::SurfaceParts parts(surface.rest.triangles, surface.rest.vertices);
     double candidates = 0.0;
     for (auto _ : state)
     {
@@ -52,8 +52,8 @@ constexpr double usual_way = 0.025; ///< of the fastest vertex in a step of a fo
 void contact_force(benchmark::State& state)
 {
     const FoldedSphere& surface = made_for<FoldedSphere>(state.range(0));
-    SurfaceContact contact(surface.rest.triangles, surface.rest.vertices, std::vector<double>(surface.x.size(), 0.5),
-                           1.0, 2.5, {});
+    contact::SurfaceContact contact(surface.rest.triangles, surface.rest.vertices,
+                                    std::vector<double>(surface.x.size(), 0.5), 1.0, 2.5, {});
     std::vector<Vec3> forces(surface.x.size());
     std::vector<Vec3> moved = surface.x;
     for (Vec3& x : moved)
@@ -76,7 +76,7 @@ void contact_force(benchmark::State& state)
         std::fill(forces.begin(), forces.end(), Vec3{});
         active = evaluate().active;
     }
-    SurfaceParts parts(surface.rest.triangles, surface.rest.vertices);
+    contact::SurfaceParts parts(surface.rest.triangles, surface.rest.vertices);
     report(state, surface, find_candidates(surface, parts));
     state.counters["active"] = static_cast<double>(active);
 }

@@ -11,13 +11,13 @@ namespace corticle
 namespace
 {
 
-Model sphere_of_tets(std::int64_t tets, Options& options)
+model::Model sphere_of_tets(std::int64_t tets, config::Options& options)
 {
-    options.method = Method::fem;
+    options.method = model::Method::fem;
     options.elements = tets;
-    options.tissue.layer = Layer::binary;
+    options.tissue.layer = material::Layer::binary;
     options.tissue.lambda = 0.75;
-    return prepare_body(options).model;
+    return prepare::prepare_body(options).model;
 }
 
 void by_tets(benchmark::internal::Benchmark* made)
@@ -29,7 +29,7 @@ void by_tets(benchmark::internal::Benchmark* made)
     made->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
 }
 
-void report(benchmark::State& state, const Model& model)
+void report(benchmark::State& state, const model::Model& model)
 {
     const auto each = static_cast<double>(state.iterations());
     const auto tets = static_cast<double>(model.fem->elements.tets.size());
@@ -40,11 +40,11 @@ void report(benchmark::State& state, const Model& model)
 /// Both passes over the tets of the unfolded sphere, without contact.
 void tet_forces(benchmark::State& state)
 {
-    Options options;
-    const Model model = sphere_of_tets(state.range(0), options);
-    State start;
-    start.elements = start_tissue(model.fem->tissue, options.tissue, {}, 0.0);
-    const auto solver = make_discretization(model, options, start);
+    config::Options options;
+    const model::Model model = sphere_of_tets(state.range(0), options);
+    model::State start;
+    start.elements = material::start_tissue(model.fem->tissue, options.tissue, {}, 0.0);
+    const auto solver = model::make_discretization(model, options, start);
     std::vector<Vec3> forces(model.cloud.positions.size());
     for (auto _ : state)
     {
@@ -57,9 +57,9 @@ BENCHMARK(tet_forces)->Apply(by_tets);
 /// A whole step of the unfolded sphere: forces, contact search, integration.
 void tet_step(benchmark::State& state)
 {
-    Options options;
-    const auto model = std::make_shared<const Model>(sphere_of_tets(state.range(0), options));
-    Simulation simulation(model, options);
+    config::Options options;
+    const auto model = std::make_shared<const model::Model>(sphere_of_tets(state.range(0), options));
+    model::Simulation simulation(model, options);
     for (auto _ : state)
     {
         simulation.step(1.0);

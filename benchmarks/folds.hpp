@@ -16,7 +16,7 @@ struct FoldedSphere
     explicit FoldedSphere(std::int64_t particles)
     {
         const double radius = std::cbrt(3.0 * static_cast<double>(particles) / (4.0 * std::numbers::pi));
-        rest = make_ellipsoid({radius, radius, radius}, 1.0);
+        rest = geometry::make_ellipsoid({radius, radius, radius}, 1.0);
         for (const Vec3& X : rest.vertices)
         {
             x.push_back(folded(X, radius));

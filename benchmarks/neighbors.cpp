@@ -24,7 +24,7 @@ void neighbor_search(benchmark::State& state)
     double pairs = 0.0;
     for (auto _ : state)
     {
-        pairs = static_cast<double>(find_pairs_within(cloud.positions, support).index.size());
+        pairs = static_cast<double>(cloud::find_pairs_within(cloud.positions, support).index.size());
     }
     const auto particles = static_cast<double>(cloud.positions.size());
     count_particles(state, particles);
@@ -35,12 +35,12 @@ void neighbor_search(benchmark::State& state)
 void pair_weights(benchmark::State& state)
 {
     const auto& [cloud, support] = made_for<SupportedCloud>(state.range(0));
-    TlsphOptions options;
+    tlsph::TlsphOptions options;
     options.support = support;
-    const Neighbors neighbors = find_pairs_within(cloud.positions, support);
+    const Neighbors neighbors = cloud::find_pairs_within(cloud.positions, support);
     for (auto _ : state)
     {
-        benchmark::DoNotOptimize(make_particles(cloud, neighbors, options));
+        benchmark::DoNotOptimize(tlsph::make_particles(cloud, neighbors, options));
     }
     const auto particles = static_cast<double>(cloud.positions.size());
     count_particles(state, particles);

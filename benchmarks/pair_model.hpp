@@ -35,15 +35,15 @@ inline constexpr double table_share = 2.7; ///< entries of the tables of neighbo
 /// F, stress, force record. Per pair: 13 numbers weighted and added. Per entry of a table: x X^T 9, |x|² 5, origins 6.
 /// Per particle it reads X, x, L, b, normal, V, theta, regional rate and the range of its pairs, and writes the record
 /// and its own force.
-inline constexpr PassModel deformation_pass{pair_bytes,
-                                            5 * sizeof(Vec3) + sizeof(Mat3) + 4 * sizeof(double) + sizeof(ForceRecord),
-                                            26.0, 500.0 + 20.0 * table_share};
+inline constexpr PassModel deformation_pass{
+    pair_bytes, 5 * sizeof(Vec3) + sizeof(Mat3) + 4 * sizeof(double) + sizeof(tlsph::ForceRecord), 26.0,
+    500.0 + 20.0 * table_share};
 
 /// Forces of the neighbours. Per pair: 13 numbers weighted and added. Per entry of a table: M X + zeta x 24, origins 6.
 /// Per particle it reads X, the record and the range of its pairs, and reads and writes the force.
 inline constexpr PassModel force_pass{pair_bytes,
-                                      sizeof(Vec3) + sizeof(ForceRecord) + sizeof(double) + 2 * sizeof(Vec3), 26.0,
-                                      24.0 + 30.0 * table_share};
+                                      sizeof(Vec3) + sizeof(tlsph::ForceRecord) + sizeof(double) + 2 * sizeof(Vec3),
+                                      26.0, 24.0 + 30.0 * table_share};
 
 inline constexpr PassModel both_passes{deformation_pass.bytes_per_pair + force_pass.bytes_per_pair,
                                        deformation_pass.bytes_per_particle + force_pass.bytes_per_particle,

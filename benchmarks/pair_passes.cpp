@@ -36,7 +36,7 @@ class Passes
     bool first() { return solver_.evaluate(unsound_, growth_time, forces_).invalid_at >= 0; }
 
   private:
-    TlsphSolver solver_;
+    tlsph::TlsphSolver solver_;
     std::vector<Vec3> x_;
     std::vector<Vec3> unsound_;
     std::vector<Vec3> forces_;

@@ -22,22 +22,22 @@ struct StandardSphere
 {
     explicit StandardSphere(std::int64_t particles)
     {
-        options.tissue.layer = Layer::binary;
+        options.tissue.layer = material::Layer::binary;
         options.tissue.lambda = 0.75;
         options.geometry.particles = particles;
         const auto start = std::chrono::steady_clock::now();
-        model = std::make_shared<const Model>(prepare_body(options).model);
+        model = std::make_shared<const model::Model>(prepare::prepare_body(options).model);
         preparation_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        simulation = std::make_unique<Simulation>(model, options);
+        simulation = std::make_unique<model::Simulation>(model, options);
     }
     StandardSphere(const StandardSphere&) = delete;
 
     double particles() const { return static_cast<double>(model->cloud.positions.size()); }
 
-    Options options;
-    std::shared_ptr<const Model> model;
+    config::Options options;
+    std::shared_ptr<const model::Model> model;
     double preparation_seconds = 0.0;
-    std::unique_ptr<Simulation> simulation;
+    std::unique_ptr<model::Simulation> simulation;
 };
 
 /// A folder for what is written, removed at the end.
@@ -102,11 +102,11 @@ void whole_step(benchmark::State& state)
 /// What is measured on the surface at an output time.
 void surface_measures(benchmark::State& state)
 {
-    const Simulation& simulation = *made_for<StandardSphere>(state.range(0)).simulation;
-    const OutputView view = output_view(simulation);
+    const model::Simulation& simulation = *made_for<StandardSphere>(state.range(0)).simulation;
+    const model::OutputView view = model::output_view(simulation);
     for (auto _ : state)
     {
-        benchmark::DoNotOptimize(surface_arrays(view));
+        benchmark::DoNotOptimize(metrics::surface_arrays(view));
     }
     count_particles(state, static_cast<double>(view.F.size()));
 }
@@ -114,14 +114,14 @@ void surface_measures(benchmark::State& state)
 /// The files of an output time.
 void frame_files(benchmark::State& state)
 {
-    const Simulation& simulation = *made_for<StandardSphere>(state.range(0)).simulation;
-    const OutputView view = output_view(simulation);
-    const SurfaceArrays arrays = surface_arrays(view);
+    const model::Simulation& simulation = *made_for<StandardSphere>(state.range(0)).simulation;
+    const model::OutputView view = model::output_view(simulation);
+    const metrics::SurfaceArrays arrays = metrics::surface_arrays(view);
     const ScratchFolder folder;
     for (auto _ : state)
     {
-        const Frame frame = make_frame(view, arrays, "0000");
-        write_frame(folder.path(), view, frame, arrays);
+        const record::Frame frame = record::make_frame(view, arrays, "0000");
+        record::write_frame(folder.path(), view, frame, arrays);
     }
     count_particles(state, static_cast<double>(view.F.size()));
     report_files(state, folder);
@@ -130,11 +130,12 @@ void frame_files(benchmark::State& state)
 void checkpoint(benchmark::State& state)
 {
     const StandardSphere& sphere = made_for<StandardSphere>(state.range(0));
-    const std::string text = to_toml(sphere.options);
+    const std::string text = config::to_toml(sphere.options);
     const ScratchFolder folder;
     for (auto _ : state)
     {
-        write_checkpoint(folder.path() / "checkpoint.h5", to_checkpoint(sphere.simulation->state(), {}, text));
+        record::write_checkpoint(folder.path() / "checkpoint.h5",
+                                 record::to_checkpoint(sphere.simulation->state(), {}, text));
     }
     count_particles(state, sphere.particles());
     report_files(state, folder);

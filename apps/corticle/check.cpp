@@ -14,14 +14,14 @@ namespace corticle
 
 int check_command(const CheckArguments& arguments)
 {
-    const Options options = read_case(arguments.case_file, arguments.overrides);
-    const Plan planned = plan(options, arguments.threads);
-    fmt::print("{}\n{}", to_toml(options), planned.text);
+    const config::Options options = config::read_case(arguments.case_file, arguments.overrides);
+    const study::Plan planned = study::plan(options, arguments.threads);
+    fmt::print("{}\n{}", config::to_toml(options), planned.text);
     if (planned.text.empty() || planned.text.back() != '\n')
     {
         fmt::print("\n");
     }
-    for (const std::string& warning : case_warnings(options))
+    for (const std::string& warning : config::case_warnings(options))
     {
         fmt::print("warning: {}\n", warning);
     }

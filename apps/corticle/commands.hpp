@@ -37,7 +37,7 @@ struct RunArguments
 int run_command(const RunArguments& arguments);
 
 /// Without a folder: runs/<stem of the sweep>.
-int sweep_command(SweepRequest request);
+int sweep_command(sweep::SweepRequest request);
 
 struct PrepareArguments
 {
@@ -54,7 +54,7 @@ int prepare_command(const PrepareArguments& arguments);
 struct NewArguments
 {
     std::string what; ///< "brain", or the case to write
-    Shape shape = Shape::sphere;
+    prepare::Shape shape = prepare::Shape::sphere;
 };
 int new_command(const NewArguments& arguments);
 
@@ -76,7 +76,7 @@ int schema_command(const SchemaArguments& arguments);
 struct MeasureArguments
 {
     std::filesystem::path file;
-    RealSurfaceOptions options;
+    study::RealSurfaceOptions options;
     std::string outer = "hull";        ///< what depth and local index are measured against: "hull" | "closed"
     std::string surface = "triangles"; ///< or "delaunay": made from points
     std::optional<double> length_limit_mm;
@@ -88,7 +88,7 @@ int measure_command(const MeasureArguments& arguments);
 
 struct CompareArguments
 {
-    ComparisonRequest request;
+    study::ComparisonRequest request;
     bool json = false;
 };
 int compare_command(const CompareArguments& arguments);

@@ -10,7 +10,7 @@ namespace corticle
 
 int compare_command(const CompareArguments& arguments)
 {
-    const ComparisonOutcome outcome = compare(arguments.request);
+    const study::ComparisonOutcome outcome = study::compare(arguments.request);
     for (const std::string& warning : outcome.warnings)
     {
         std::fprintf(stderr, "corticle: warning: %s\n", warning.c_str());

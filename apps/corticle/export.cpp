@@ -10,9 +10,10 @@ namespace corticle
 
 int export_command(const ExportArguments& arguments)
 {
-    const std::vector<ExportedFrame> frames = export_run({arguments.run_folder, arguments.format, arguments.times,
-                                                          arguments.out, arguments.overwrite, arguments.structure});
-    for (const ExportedFrame& frame : frames)
+    const std::vector<study::ExportedFrame> frames =
+        study::export_run({arguments.run_folder, arguments.format, arguments.times, arguments.out, arguments.overwrite,
+                           arguments.structure});
+    for (const study::ExportedFrame& frame : frames)
     {
         fmt::print("t = {}{}: {}\n", frame.t,
                    frame.asked.empty() ? "" : fmt::format(" (nearest to {})", fmt::join(frame.asked, ", ")),

@@ -82,7 +82,7 @@ void add_run(CLI::App& app, Verb& chosen)
 
 void add_sweep(CLI::App& app, Verb& chosen)
 {
-    auto request = std::make_shared<SweepRequest>();
+    auto request = std::make_shared<sweep::SweepRequest>();
     CLI::App* verb = app.add_subcommand("sweep", "Run a case for many values of its keys; goes on where it stopped");
     verb->add_option("sweep", request->file, "Sweep to run")->type_name("SWEEP.toml")->required();
     verb->add_option("--out", request->out, "Folder of the sweep (default: runs/<name of the sweep>)")
@@ -129,8 +129,8 @@ void add_new(CLI::App& app, Verb& chosen)
     verb->add_option("case", arguments->what, "Case to write; brain: the phantom, as brain.nii.gz and brain.toml")
         ->type_name("NAME.toml|brain")
         ->required();
-    const std::map<std::string, Shape> shapes{
-        {"sphere", Shape::sphere}, {"ellipsoid", Shape::ellipsoid}, {"file", Shape::file}};
+    const std::map<std::string, prepare::Shape> shapes{
+        {"sphere", prepare::Shape::sphere}, {"ellipsoid", prepare::Shape::ellipsoid}, {"file", prepare::Shape::file}};
     add_choice(*verb, "--shape", arguments->shape, shapes, "sphere, ellipsoid or file")
         ->default_str("sphere")
         ->type_name("SHAPE");
@@ -157,15 +157,15 @@ void add_schema(CLI::App& app, Verb& chosen)
 }
 
 /// How a real brain is read, for the verbs that measure one.
-void add_real_surface(CLI::App& verb, RealSurfaceOptions& options)
+void add_real_surface(CLI::App& verb, study::RealSurfaceOptions& options)
 {
-    const std::map<std::string, UnitOfLength> units{
-        {"mm", UnitOfLength::mm}, {"cm", UnitOfLength::cm}, {"m", UnitOfLength::m}};
+    const std::map<std::string, formats::UnitOfLength> units{
+        {"mm", formats::UnitOfLength::mm}, {"cm", formats::UnitOfLength::cm}, {"m", formats::UnitOfLength::m}};
     add_choice(verb, "--unit", options.unit, units, "Unit of length of surface files: mm, cm or m")
         ->default_str("mm")
         ->type_name("UNIT");
-    const std::map<std::string, Coordinates> coordinates{{"scanner", Coordinates::scanner},
-                                                         {"file", Coordinates::file}};
+    const std::map<std::string, formats::Coordinates> coordinates{{"scanner", formats::Coordinates::scanner},
+                                                                  {"file", formats::Coordinates::file}};
     add_choice(verb, "--coordinates", options.coordinates, coordinates,
                "scanner: brought to the scanner's where the file says how (default); file: as they are")
         ->type_name("WHICH");
@@ -214,7 +214,7 @@ void add_measure(CLI::App& app, Verb& chosen)
 void add_compare(CLI::App& app, Verb& chosen)
 {
     auto arguments = std::make_shared<CompareArguments>();
-    ComparisonRequest& request = arguments->request;
+    study::ComparisonRequest& request = arguments->request;
     CLI::App* verb = app.add_subcommand("compare", "Compare a run with another run, or with real surfaces");
     verb->add_option("run", request.run, "Run folder")->type_name("RUN")->required();
     verb->add_option("others", request.others,

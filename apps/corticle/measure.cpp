@@ -16,19 +16,19 @@ namespace corticle
 namespace
 {
 
-void print_json(std::span<const SurfaceRow> rows)
+void print_json(std::span<const metrics::SurfaceRow> rows)
 {
     nlohmann::ordered_json json;
-    for (const SurfaceRow& row : rows)
+    for (const metrics::SurfaceRow& row : rows)
     {
         json[row.key] = row.value;
     }
     fmt::print("{}\n", json.dump(2));
 }
 
-void print_text(std::span<const SurfaceRow> rows)
+void print_text(std::span<const metrics::SurfaceRow> rows)
 {
-    for (const SurfaceRow& row : rows)
+    for (const metrics::SurfaceRow& row : rows)
     {
         fmt::print("{:<28}{:.8g} {}\n", row.key, row.value, row.unit);
     }
@@ -54,31 +54,31 @@ void print_lines(const char* kind, std::span<const std::string> lines)
     }
 }
 
-std::vector<SurfaceRow> measured(const MeasureArguments& arguments)
+std::vector<metrics::SurfaceRow> measured(const MeasureArguments& arguments)
 {
     if (arguments.surface == "delaunay")
     {
         require_new_file(arguments);
-        return measure_point_surface({arguments.file, arguments.length_limit_mm, arguments.out});
+        return study::measure_point_surface({arguments.file, arguments.length_limit_mm, arguments.out});
     }
     if (arguments.length_limit_mm || !arguments.out.empty())
     {
         throw InputError(
             fmt::format("{} is given without --surface delaunay", arguments.out.empty() ? "--length-limit" : "--out"));
     }
-    const RealSurfaceReading reading = read_real_surface(arguments.file, arguments.options);
+    const study::RealSurfaceReading reading = study::read_real_surface(arguments.file, arguments.options);
     print_lines("note", reading.notes);
     print_lines("warning", reading.warnings);
-    FoldOptions folds;
-    folds.outer = arguments.outer == "closed" ? OuterSurface::closed : OuterSurface::hull;
-    return surface_rows(reading, folds);
+    metrics::FoldOptions folds;
+    folds.outer = arguments.outer == "closed" ? metrics::OuterSurface::closed : metrics::OuterSurface::hull;
+    return study::surface_rows(reading, folds);
 }
 
 } // namespace
 
 int measure_command(const MeasureArguments& arguments)
 {
-    const std::vector<SurfaceRow> rows = measured(arguments);
+    const std::vector<metrics::SurfaceRow> rows = measured(arguments);
     arguments.json ? print_json(rows) : print_text(rows);
     return exit_status::done;
 }

@@ -66,7 +66,7 @@ void write_brain()
             throw InputError(fmt::format("cannot write {}: it exists, and new never overwrites", name));
         }
     }
-    write_nifti(image, make_brain_phantom({}));
+    formats::write_nifti(image, imaging::make_brain_phantom({}));
     fmt::print("wrote {}\n", image);
     write_new("brain.toml", brain_case);
 }
@@ -86,7 +86,7 @@ int new_command(const NewArguments& arguments)
         throw InputError(
             fmt::format("cannot write case: got {}, expected brain or a name that ends in .toml", file.string()));
     }
-    write_new(file.string(), starter_case(arguments.shape));
+    write_new(file.string(), config::starter_case(arguments.shape));
     return exit_status::done;
 }
 

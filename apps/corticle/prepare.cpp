@@ -13,16 +13,16 @@ namespace corticle
 
 int prepare_command(const PrepareArguments& arguments)
 {
-    exit_when_interrupted();
-    PrepareRequest request;
-    request.options = read_case(arguments.case_file, arguments.overrides);
-    identify_inputs(request.options);
+    study::exit_when_interrupted();
+    study::PrepareRequest request;
+    request.options = config::read_case(arguments.case_file, arguments.overrides);
+    config::identify_inputs(request.options);
     request.out =
         arguments.out.empty() ? std::filesystem::path("prepared") / arguments.case_file.stem() : arguments.out;
     request.threads = arguments.threads;
     request.overwrite = arguments.overwrite;
     request.compare_thesis = arguments.compare_thesis;
-    const std::string report = prepare(request);
+    const std::string report = study::prepare(request);
     if (!arguments.quiet)
     {
         fmt::print("{}wrote         {}\n", report, request.out.string());

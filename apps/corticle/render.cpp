@@ -8,7 +8,7 @@ namespace corticle
 
 int render_command(const RenderArguments& arguments)
 {
-    render_run(arguments.run_folder);
+    view::render_run(arguments.run_folder);
     return exit_status::done;
 }
 

@@ -13,10 +13,10 @@ namespace corticle
 
 int run_command(const RunArguments& arguments)
 {
-    exit_when_interrupted();
-    RunRequest request;
-    request.options = read_case(arguments.case_file, arguments.overrides);
-    identify_inputs(request.options);
+    study::exit_when_interrupted();
+    record::RunRequest request;
+    request.options = config::read_case(arguments.case_file, arguments.overrides);
+    config::identify_inputs(request.options);
     request.out = arguments.out.empty() ? std::filesystem::path("runs") / arguments.case_file.stem() : arguments.out;
     std::error_code error;
     request.body = std::filesystem::is_directory(arguments.body, error) ? arguments.body / "body.h5" : arguments.body;
@@ -24,7 +24,7 @@ int run_command(const RunArguments& arguments)
     request.resume = arguments.resume;
     request.overwrite = arguments.overwrite;
     request.quiet = arguments.quiet;
-    return simulate(request) == RunStatus::completed ? exit_status::done : exit_status::interrupted;
+    return study::simulate(request) == model::RunStatus::completed ? exit_status::done : exit_status::interrupted;
 }
 
 } // namespace corticle

@@ -11,7 +11,9 @@ namespace corticle
 
 int schema_command(const SchemaArguments& arguments)
 {
-    fmt::print("{}", arguments.measures ? measures_markdown() : arguments.markdown ? schema_markdown() : schema_text());
+    fmt::print("{}", arguments.measures   ? metrics::measures_markdown()
+                     : arguments.markdown ? config::schema_markdown()
+                                          : config::schema_text());
     return exit_status::done;
 }
 

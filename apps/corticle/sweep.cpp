@@ -6,11 +6,11 @@
 namespace corticle
 {
 
-int sweep_command(SweepRequest request)
+int sweep_command(sweep::SweepRequest request)
 {
-    exit_when_interrupted();
+    study::exit_when_interrupted();
     request.out = request.out.empty() ? std::filesystem::path("runs") / request.file.stem() : request.out;
-    return sweep(request) == RunStatus::completed ? exit_status::done : exit_status::interrupted;
+    return sweep::sweep(request) == model::RunStatus::completed ? exit_status::done : exit_status::interrupted;
 }
 
 } // namespace corticle

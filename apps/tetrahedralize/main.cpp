@@ -30,7 +30,7 @@ namespace
 constexpr int triangle_type = 2; // Gmsh's numbers of element types
 constexpr int tet_type = 4;
 
-void add_surface(const TetRequest& request)
+void add_surface(const geometry::TetRequest& request)
 {
     std::vector<std::size_t> tags;
     for (std::size_t i = 0; i < request.coordinates.size() / 3; ++i)
@@ -51,7 +51,7 @@ void add_surface(const TetRequest& request)
 }
 
 /// What Gmsh made: the nodes of the surface first, then the others by their tags.
-TetAnswer read_tets(const TetRequest& request)
+geometry::TetAnswer read_tets(const geometry::TetRequest& request)
 {
     std::vector<std::size_t> tags;
     std::vector<double> coordinates;
@@ -60,7 +60,7 @@ TetAnswer read_tets(const TetRequest& request)
     const std::size_t vertices = request.coordinates.size() / 3;
     const std::size_t largest = tags.empty() ? 0 : *std::ranges::max_element(tags);
     std::vector<std::int32_t> node_of(std::max(largest, vertices) + 1, -1);
-    TetAnswer answer;
+    geometry::TetAnswer answer;
     answer.coordinates = request.coordinates;
     for (std::size_t i = 0; i < vertices; ++i)
     {
@@ -84,7 +84,7 @@ TetAnswer read_tets(const TetRequest& request)
     return answer;
 }
 
-TetAnswer fill(const TetRequest& request)
+geometry::TetAnswer fill(const geometry::TetRequest& request)
 {
     make_new_ascend();   // Gmsh orders vertices by their addresses, and its tets by that
     set_thread_count(1); // with more, the tets would depend on their number
@@ -130,21 +130,21 @@ bool write_all(int file, std::string_view bytes)
     return true;
 }
 
-TetStatus answer_request(int output)
+geometry::TetStatus answer_request(int output)
 {
-    const std::optional<TetRequest> request = read_request(read_all(STDIN_FILENO));
+    const std::optional<geometry::TetRequest> request = geometry::read_request(read_all(STDIN_FILENO));
     if (!request)
     {
         std::fprintf(stderr,
                      "corticle-tetrahedralize: no surface on the standard input; corticle starts this program\n");
-        return TetStatus::not_understood;
+        return geometry::TetStatus::not_understood;
     }
-    const TetAnswer answer = fill(*request);
-    const bool is_done = !answer.corners.empty() && write_all(output, to_bytes(answer));
-    return is_done ? TetStatus::done : TetStatus::not_filled;
+    const geometry::TetAnswer answer = fill(*request);
+    const bool is_done = !answer.corners.empty() && write_all(output, geometry::to_bytes(answer));
+    return is_done ? geometry::TetStatus::done : geometry::TetStatus::not_filled;
 }
 
-TetStatus guarded(int output)
+geometry::TetStatus guarded(int output)
 {
     try
     {
@@ -152,7 +152,7 @@ TetStatus guarded(int output)
     }
     catch (const std::bad_alloc&)
     {
-        return TetStatus::out_of_memory;
+        return geometry::TetStatus::out_of_memory;
     }
     catch (const std::exception& error)
     {
@@ -161,7 +161,7 @@ TetStatus guarded(int output)
     catch (...) // Gmsh throws words and numbers, too
     {
     }
-    return TetStatus::not_filled;
+    return geometry::TetStatus::not_filled;
 }
 
 } // namespace
@@ -173,7 +173,7 @@ int main()
     prctl(PR_SET_PDEATHSIG, SIGKILL); // nobody else waits for the mesh
     const int output = dup(STDOUT_FILENO);
     dup2(STDERR_FILENO, STDOUT_FILENO); // what libraries print is not part of the mesh
-    const corticle::TetStatus status = corticle::guarded(output);
+    const corticle::geometry::TetStatus status = corticle::guarded(output);
     std::fflush(nullptr);
     _exit(static_cast<int>(status)); // Gmsh is not taken down: its memory goes with the process
 }

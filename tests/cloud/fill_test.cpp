@@ -31,9 +31,9 @@ struct Filled
 Filled filled_ellipsoid(std::uint64_t seed = 1)
 {
     const std::array<double, 3> axes{8.0, 10.0, 12.0};
-    const double spacing = spacing_for_particles(4.0 / 3.0 * 3.14159265358979 * 960.0, wanted);
-    Filled filled{make_ellipsoid(axes, 1.05 * spacing), {}};
-    filled.cloud = fill_surface(filled.surface, {spacing, seed});
+    const double spacing = cloud::spacing_for_particles(4.0 / 3.0 * 3.14159265358979 * 960.0, wanted);
+    Filled filled{geometry::make_ellipsoid(axes, 1.05 * spacing), {}};
+    filled.cloud = cloud::fill_surface(filled.surface, {spacing, seed});
     return filled;
 }
 
@@ -50,7 +50,7 @@ TEST(Fill, HasTheParticlesAskedForAndTheWholeVolume)
 TEST(Fill, IsEven)
 {
     const Cloud cloud = filled_ellipsoid().cloud;
-    const CloudQuality quality = measure_quality(cloud);
+    const cloud::CloudQuality quality = cloud::measure_quality(cloud);
     EXPECT_GT(quality.closest_pair_spacings, 0.7); // half a spacing is what the method needs
     EXPECT_GT(quality.smallest_volume, 0.3 * quality.mean_volume);
     EXPECT_LT(quality.largest_volume, 1.5 * quality.mean_volume);
@@ -78,7 +78,7 @@ TEST(Fill, SurfaceParticlesSitOnTheVerticesWithHalfACell)
 TEST(Fill, InnerParticlesKeepTheirDistanceFromTheSurface)
 {
     const auto [surface, cloud] = filled_ellipsoid();
-    const SurfaceTree tree(surface.vertices, surface.triangles);
+    const geometry::SurfaceTree tree(surface.vertices, surface.triangles);
     const std::set<std::int32_t> on_surface(cloud.surface_particles.begin(), cloud.surface_particles.end());
     for (std::size_t i = 0; i < cloud.positions.size(); ++i)
     {
@@ -105,11 +105,11 @@ TEST(Fill, DependsOnTheSeedAndNotOnTheThreads)
 
 TEST(Fill, ThinAndCoarseBodiesStillFill)
 {
-    const TriangleMesh plate = make_ellipsoid({6.0, 6.0, 0.6}, 0.5);
-    const Cloud thin = fill_surface(plate, {0.5, 1});
+    const TriangleMesh plate = geometry::make_ellipsoid({6.0, 6.0, 0.6}, 0.5);
+    const Cloud thin = cloud::fill_surface(plate, {0.5, 1});
     EXPECT_GE(thin.positions.size(), plate.vertices.size());
-    const TriangleMesh ball = make_ellipsoid({1.0, 1.0, 1.0}, 0.8);
-    const Cloud coarse = fill_surface(ball, {0.8, 1});
+    const TriangleMesh ball = geometry::make_ellipsoid({1.0, 1.0, 1.0}, 0.8);
+    const Cloud coarse = cloud::fill_surface(ball, {0.8, 1});
     EXPECT_GE(coarse.positions.size(), ball.vertices.size());
     for (const double volume : thin.volumes)
     {
@@ -120,11 +120,11 @@ TEST(Fill, ThinAndCoarseBodiesStillFill)
 TEST(Fill, RefusesNonsense)
 {
     const TriangleMesh box = test::box({0, 0, 0}, {1, 1, 1});
-    EXPECT_THROW(fill_surface(box, {0.0, 1}), InputError);
-    EXPECT_THROW(fill_surface(box, {1e-5, 1}), InputError);
-    EXPECT_THROW(fill_surface({}, {1.0, 1}), InputError);
-    EXPECT_THROW(spacing_for_particles(1.0, 0), InputError);
-    EXPECT_DOUBLE_EQ(spacing_for_particles(8.0, 1000), 0.2);
+    EXPECT_THROW(cloud::fill_surface(box, {0.0, 1}), InputError);
+    EXPECT_THROW(cloud::fill_surface(box, {1e-5, 1}), InputError);
+    EXPECT_THROW(cloud::fill_surface({}, {1.0, 1}), InputError);
+    EXPECT_THROW(cloud::spacing_for_particles(1.0, 0), InputError);
+    EXPECT_DOUBLE_EQ(cloud::spacing_for_particles(8.0, 1000), 0.2);
 }
 
 TEST(CellVolumes, AreThoseOfALattice)
@@ -136,7 +136,7 @@ TEST(CellVolumes, AreThoseOfALattice)
     {
         points.push_back({0.5 + k / 16, 0.5 + k / 4 % 4, 0.5 + k % 4});
     }
-    const std::vector<double> volumes = cell_volumes(box, points, 1.0);
+    const std::vector<double> volumes = cloud::cell_volumes(box, points, 1.0);
     for (const double volume : volumes)
     {
         EXPECT_NEAR(volume, 1.0, 1e-9); // exact: the lines are spaced by 1/6, so each cell has 36 of them

@@ -56,7 +56,7 @@ TetMesh graded_ball(int n, double power)
     return mesh;
 }
 
-Places particles_on_surface(const TetCloud& result)
+Places particles_on_surface(const cloud::TetCloud& result)
 {
     Places places;
     for (const std::int32_t particle : result.cloud.surface_particles)
@@ -67,15 +67,15 @@ Places particles_on_surface(const TetCloud& result)
 }
 
 /// Shape matrices that are too ill-conditioned throw.
-void require_good_gradients(const TetCloud& result)
+void require_good_gradients(const cloud::TetCloud& result)
 {
-    const SurfaceTree tree(result.surface.vertices, result.surface.triangles);
-    const TlsphOptions options;
-    Neighbors pairs = find_neighbors(result.cloud, tree, options.support * result.cloud.spacing);
-    EXPECT_NO_THROW(make_particles(result.cloud, pairs, options));
+    const geometry::SurfaceTree tree(result.surface.vertices, result.surface.triangles);
+    const tlsph::TlsphOptions options;
+    Neighbors pairs = cloud::find_neighbors(result.cloud, tree, options.support * result.cloud.spacing);
+    EXPECT_NO_THROW(tlsph::make_particles(result.cloud, pairs, options));
 }
 
-void expect_consistent(const TetCloud& result)
+void expect_consistent(const cloud::TetCloud& result)
 {
     const Cloud& cloud = result.cloud;
     ASSERT_EQ(cloud.volumes.size(), cloud.positions.size());
@@ -95,7 +95,7 @@ void expect_consistent(const TetCloud& result)
 
 TEST(FromTets, EveryNodeBecomesAParticle)
 {
-    const TetCloud result = cloud_from_tets(ball());
+    const cloud::TetCloud result = cloud::cloud_from_tets(ball());
     expect_consistent(result);
     EXPECT_EQ(Places(result.cloud.positions.begin(), result.cloud.positions.end()),
               Places(ball().vertices.begin(), ball().vertices.end()));
@@ -109,7 +109,7 @@ TEST(FromTets, VolumesFollowTheirNodes)
 {
     const TetMesh box = test::tet_box(6, {0, 0, 0}, {6, 6, 6});
     const std::vector<double> expected = node_volumes(box);
-    const Cloud cloud = cloud_from_tets(box).cloud;
+    const Cloud cloud = cloud::cloud_from_tets(box).cloud;
     for (std::size_t i = 0; i < cloud.positions.size(); ++i)
     {
         const auto node = std::find(box.vertices.begin(), box.vertices.end(), cloud.positions[i]);
@@ -121,12 +121,12 @@ TEST(FromTets, VolumesFollowTheirNodes)
 TEST(FromTets, ThinnedUniformlyIsEvenAndKeepsNodesInside)
 {
     constexpr std::int64_t wanted = 2000;
-    const TetCloud result = cloud_from_tets(ball(), {wanted, Thinning::uniform, 1});
+    const cloud::TetCloud result = cloud::cloud_from_tets(ball(), {wanted, cloud::Thinning::uniform, 1});
     expect_consistent(result);
     EXPECT_EQ(std::ssize(result.cloud.positions), wanted);
     EXPECT_THAT(result.warnings, IsEmpty());
     EXPECT_NEAR(result.remesh.volume_change, 0.0, 0.02);
-    const CloudQuality quality = measure_quality(result.cloud);
+    const cloud::CloudQuality quality = cloud::measure_quality(result.cloud);
     EXPECT_GT(quality.closest_pair_spacings, 0.6); // four nodes to choose from for each; half a spacing is needed
     EXPECT_LT(quality.largest_volume, 2.7 * quality.mean_volume);
     EXPECT_GT(quality.smallest_volume, 0.2 * quality.mean_volume);
@@ -142,12 +142,13 @@ TEST(FromTets, ThinnedUniformlyIsEvenAndKeepsNodesInside)
 TEST(FromTets, ThinnedAtRandomHasTheParticlesAndSaysThatSomeAreClose)
 {
     constexpr std::int64_t wanted = 3000;
-    const TetCloud result = cloud_from_tets(ball(), {wanted, Thinning::random, 1});
+    const cloud::TetCloud result = cloud::cloud_from_tets(ball(), {wanted, cloud::Thinning::random, 1});
     expect_consistent(result);
     EXPECT_EQ(std::ssize(result.cloud.positions), wanted);
-    const double closest = measure_quality(result.cloud).closest_pair_spacings;
+    const double closest = cloud::measure_quality(result.cloud).closest_pair_spacings;
     EXPECT_LT(closest,
-              measure_quality(cloud_from_tets(ball(), {wanted, Thinning::uniform, 1}).cloud).closest_pair_spacings);
+              cloud::measure_quality(cloud::cloud_from_tets(ball(), {wanted, cloud::Thinning::uniform, 1}).cloud)
+                  .closest_pair_spacings);
     EXPECT_EQ(closest < 0.5, !result.warnings.empty());
 }
 
@@ -155,9 +156,9 @@ TEST(FromTets, ThinningEvensOutAGradedMesh)
 {
     // The density of nodes falls as 1 / r.
     const TetMesh mesh = graded_ball(20, 1.5);
-    for (const Thinning thinning : {Thinning::random, Thinning::uniform})
+    for (const cloud::Thinning thinning : {cloud::Thinning::random, cloud::Thinning::uniform})
     {
-        const TetCloud result = cloud_from_tets(mesh, {1500, thinning, 1});
+        const cloud::TetCloud result = cloud::cloud_from_tets(mesh, {1500, thinning, 1});
         const auto within = [&](double radius)
         {
             return static_cast<double>(std::count_if(result.cloud.positions.begin(), result.cloud.positions.end(),
@@ -169,22 +170,22 @@ TEST(FromTets, ThinningEvensOutAGradedMesh)
 
 TEST(FromTets, DependsOnTheSeedAndNotOnTheThreads)
 {
-    for (const Thinning thinning : {Thinning::random, Thinning::uniform})
+    for (const cloud::Thinning thinning : {cloud::Thinning::random, cloud::Thinning::uniform})
     {
         const int threads = thread_count();
-        const TetCloud first = cloud_from_tets(ball(), {2000, thinning, 5});
+        const cloud::TetCloud first = cloud::cloud_from_tets(ball(), {2000, thinning, 5});
         set_thread_count(1);
-        const TetCloud alone = cloud_from_tets(ball(), {2000, thinning, 5});
+        const cloud::TetCloud alone = cloud::cloud_from_tets(ball(), {2000, thinning, 5});
         set_thread_count(threads);
         EXPECT_EQ(first.cloud.positions, alone.cloud.positions);
         EXPECT_EQ(first.cloud.volumes, alone.cloud.volumes);
-        EXPECT_NE(cloud_from_tets(ball(), {2000, thinning, 6}).cloud.positions, first.cloud.positions);
+        EXPECT_NE(cloud::cloud_from_tets(ball(), {2000, thinning, 6}).cloud.positions, first.cloud.positions);
     }
 }
 
 TEST(FromTets, SaysWhenTheMeshIsTooCoarseInside)
 {
-    const TetCloud result = cloud_from_tets(graded_ball(10, 0.2), {1300, Thinning::uniform, 1});
+    const cloud::TetCloud result = cloud::cloud_from_tets(graded_ball(10, 0.2), {1300, cloud::Thinning::uniform, 1});
     expect_consistent(result);
     EXPECT_LT(std::ssize(result.cloud.positions), 1300);
     ASSERT_FALSE(result.warnings.empty());
@@ -195,13 +196,13 @@ TEST(FromTets, SaysWhenNodesAreTooClose)
 {
     TetMesh mesh = test::tet_box(6, {0, 0, 0}, {6, 6, 6});
     mesh.vertices[(3 * 7 + 3) * 7 + 3] = {3, 3, 3.7};
-    EXPECT_THAT(cloud_from_tets(mesh).warnings, ElementsAre(HasSubstr("spacings apart; expected at least 0.5")));
+    EXPECT_THAT(cloud::cloud_from_tets(mesh).warnings, ElementsAre(HasSubstr("spacings apart; expected at least 0.5")));
 }
 
 TEST(FromTets, RefusesMoreParticlesThanNodes)
 {
-    EXPECT_THROW(cloud_from_tets(ball(), {9262}), InputError);
-    EXPECT_THROW(cloud_from_tets(ball(), {0}), InputError);
+    EXPECT_THROW(cloud::cloud_from_tets(ball(), {9262}), InputError);
+    EXPECT_THROW(cloud::cloud_from_tets(ball(), {0}), InputError);
 }
 
 } // namespace

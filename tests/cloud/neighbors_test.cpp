@@ -36,7 +36,7 @@ TEST(Neighbors, AreAllPairsWithinTheSupport)
 {
     const std::vector<Vec3> points = random_points(600);
     const double support = 0.17;
-    const Neighbors pairs = find_pairs_within(points, support);
+    const Neighbors pairs = cloud::find_pairs_within(points, support);
     for (std::size_t i = 0; i < points.size(); ++i)
     {
         std::vector<std::int32_t> expected;
@@ -55,36 +55,36 @@ TEST(Neighbors, AreAllPairsWithinTheSupport)
 
 TEST(Neighbors, OfNothingAndOfOne)
 {
-    EXPECT_EQ(find_pairs_within({}, 1.0).begin.size(), 1u);
-    EXPECT_TRUE(find_pairs_within(std::vector<Vec3>{{1, 2, 3}}, 1.0).index.empty());
-    EXPECT_THROW(find_pairs_within({}, 0.0), InputError);
+    EXPECT_EQ(cloud::find_pairs_within({}, 1.0).begin.size(), 1u);
+    EXPECT_TRUE(cloud::find_pairs_within(std::vector<Vec3>{{1, 2, 3}}, 1.0).index.empty());
+    EXPECT_THROW(cloud::find_pairs_within({}, 0.0), InputError);
 }
 
 TEST(Neighbors, OnAnEllipsoidAllSeeEachOther)
 {
-    const TriangleMesh surface = make_ellipsoid({5.0, 6.0, 7.0}, 0.8);
-    const Cloud cloud = fill_surface(surface, {0.78, 1});
-    const SurfaceTree tree(surface.vertices, surface.triangles);
-    VisibilityReport report;
-    const Neighbors seen = find_neighbors(cloud, tree, 2.5 * cloud.spacing, &report);
+    const TriangleMesh surface = geometry::make_ellipsoid({5.0, 6.0, 7.0}, 0.8);
+    const Cloud cloud = cloud::fill_surface(surface, {0.78, 1});
+    const geometry::SurfaceTree tree(surface.vertices, surface.triangles);
+    cloud::VisibilityReport report;
+    const Neighbors seen = cloud::find_neighbors(cloud, tree, 2.5 * cloud.spacing, &report);
     EXPECT_EQ(report.dropped_pairs, 0);
-    EXPECT_EQ(seen.index, find_pairs_within(cloud.positions, 2.5 * cloud.spacing).index);
+    EXPECT_EQ(seen.index, cloud::find_pairs_within(cloud.positions, 2.5 * cloud.spacing).index);
 }
 
 /// A point of a ball whose inside is hollowed by another: chords over the hollow graze a concave surface.
 TEST(Neighbors, OverAGentlyConcaveSurfaceAllSeeEachOther)
 {
-    const TriangleMesh outer = make_ellipsoid({10.0, 10.0, 10.0}, 1.0);
-    TriangleMesh inner = make_ellipsoid({5.0, 5.0, 5.0}, 1.0);
+    const TriangleMesh outer = geometry::make_ellipsoid({10.0, 10.0, 10.0}, 1.0);
+    TriangleMesh inner = geometry::make_ellipsoid({5.0, 5.0, 5.0}, 1.0);
     for (Triangle& t : inner.triangles)
     {
         std::swap(t[0], t[1]);
     }
     const TriangleMesh shell = test::together(outer, inner);
-    const Cloud cloud = fill_surface(shell, {1.0, 1});
-    const SurfaceTree tree(shell.vertices, shell.triangles);
-    VisibilityReport report;
-    find_neighbors(cloud, tree, 2.5 * cloud.spacing, &report);
+    const Cloud cloud = cloud::fill_surface(shell, {1.0, 1});
+    const geometry::SurfaceTree tree(shell.vertices, shell.triangles);
+    cloud::VisibilityReport report;
+    cloud::find_neighbors(cloud, tree, 2.5 * cloud.spacing, &report);
     EXPECT_EQ(report.dropped_pairs, 0);
 }
 
@@ -101,10 +101,10 @@ TEST(Neighbors, AcrossANarrowFissureNobodySees)
             cloud.positions.push_back({4.3 * block + k / 25, 1.0 + k / 5 % 5 * 1.01, 1.0 + k % 5 * 1.02});
         }
     }
-    const SurfaceTree tree(blocks.vertices, blocks.triangles);
-    VisibilityReport report;
-    const Neighbors seen = find_neighbors(cloud, tree, 2.5, &report);
-    const Neighbors all = find_pairs_within(cloud.positions, 2.5);
+    const geometry::SurfaceTree tree(blocks.vertices, blocks.triangles);
+    cloud::VisibilityReport report;
+    const Neighbors seen = cloud::find_neighbors(cloud, tree, 2.5, &report);
+    const Neighbors all = cloud::find_pairs_within(cloud.positions, 2.5);
     std::int64_t across = 0;
     for (std::int64_t i = 0; i < 250; ++i)
     {
@@ -122,14 +122,14 @@ TEST(Neighbors, AcrossANarrowFissureNobodySees)
 
 TEST(Neighbors, AreSymmetricAndTheSameForAnyNumberOfThreads)
 {
-    const TriangleMesh surface = make_ellipsoid({3.0, 3.0, 6.0}, 0.8);
-    const Cloud cloud = fill_surface(surface, {0.8, 1});
-    const SurfaceTree tree(surface.vertices, surface.triangles);
+    const TriangleMesh surface = geometry::make_ellipsoid({3.0, 3.0, 6.0}, 0.8);
+    const Cloud cloud = cloud::fill_surface(surface, {0.8, 1});
+    const geometry::SurfaceTree tree(surface.vertices, surface.triangles);
     const int threads = thread_count();
     set_thread_count(1);
-    const Neighbors one = find_neighbors(cloud, tree, 2.0);
+    const Neighbors one = cloud::find_neighbors(cloud, tree, 2.0);
     set_thread_count(2);
-    const Neighbors two = find_neighbors(cloud, tree, 2.0);
+    const Neighbors two = cloud::find_neighbors(cloud, tree, 2.0);
     set_thread_count(threads);
     EXPECT_EQ(one.begin, two.begin);
     EXPECT_EQ(one.index, two.index);

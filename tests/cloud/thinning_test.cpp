@@ -69,7 +69,7 @@ using Thinning = std::vector<std::int32_t> (*)(std::span<const Vec3>, std::int64
 class EveryThinning : public testing::TestWithParam<Thinning>
 {
 };
-INSTANTIATE_TEST_SUITE_P(Thinning, EveryThinning, testing::Values(&thin_random, &thin_uniform));
+INSTANTIATE_TEST_SUITE_P(Thinning, EveryThinning, testing::Values(&cloud::thin_random, &cloud::thin_uniform));
 
 TEST_P(EveryThinning, KeepsExactlyTheNumberAskedFor)
 {
@@ -117,8 +117,8 @@ TEST(Thinning, EliminationKeepsPointsApartAndChanceDoesNot)
 {
     const std::vector<Vec3> points = uneven_points(20000, 1.0);
     const double spacing = std::cbrt(1.0 / 2000.0);
-    EXPECT_GT(closest_pair(chosen(points, thin_uniform(points, 2000, 1))), 0.6 * spacing);
-    EXPECT_LT(closest_pair(chosen(points, thin_random(points, 2000, 1))), 0.2 * spacing);
+    EXPECT_GT(closest_pair(chosen(points, cloud::thin_uniform(points, 2000, 1))), 0.6 * spacing);
+    EXPECT_LT(closest_pair(chosen(points, cloud::thin_random(points, 2000, 1))), 0.2 * spacing);
 }
 
 TEST(PointTree, FindsTheNearestAsASearchThroughAllDoes)

@@ -19,7 +19,7 @@ std::string refusal(std::string_view text, const Overrides& overrides = {})
 {
     try
     {
-        parse_case(text, "case.toml", overrides, "/cases");
+        config::parse_case(text, "case.toml", overrides, "/cases");
         return "";
     }
     catch (const InputError& error)
@@ -184,10 +184,10 @@ TEST(BadCase, DeepAndLongTextIsRefusedNotFollowed)
 
 TEST(BadCase, FilesThatAreNone)
 {
-    EXPECT_THROW(read_case("no_such_case.toml", {}), InputError);
-    EXPECT_THROW(read_case(std::filesystem::temp_directory_path(), {}), InputError);
-    EXPECT_THROW(read_case("/dev/zero", {}), InputError);
-    EXPECT_THROW(read_case("", {}), InputError);
+    EXPECT_THROW(config::read_case("no_such_case.toml", {}), InputError);
+    EXPECT_THROW(config::read_case(std::filesystem::temp_directory_path(), {}), InputError);
+    EXPECT_THROW(config::read_case("/dev/zero", {}), InputError);
+    EXPECT_THROW(config::read_case("", {}), InputError);
 }
 
 } // namespace corticle

@@ -10,28 +10,28 @@ namespace corticle
 namespace
 {
 
-Options read(const std::string& text)
+config::Options read(const std::string& text)
 {
-    return parse_case(text, "case.toml", {}, "");
+    return config::parse_case(text, "case.toml", {}, "");
 }
 
 TEST(Formulation, OneKeySelectsAllThatTheThesisDoes)
 {
-    const Options options = read("[solver]\nformulation = \"thesis\"\n");
-    EXPECT_EQ(options.formulation, Formulation::thesis);
-    EXPECT_EQ(options.thesis.growth, GrowthEntry::multiplied);
-    EXPECT_EQ(options.thesis.force, ForceForm::difference);
-    EXPECT_EQ(options.thesis.gradient, KernelGradient::plain);
+    const config::Options options = read("[solver]\nformulation = \"thesis\"\n");
+    EXPECT_EQ(options.formulation, thesis::Formulation::thesis);
+    EXPECT_EQ(options.thesis.growth, thesis::GrowthEntry::multiplied);
+    EXPECT_EQ(options.thesis.force, thesis::ForceForm::difference);
+    EXPECT_EQ(options.thesis.gradient, thesis::KernelGradient::plain);
     EXPECT_EQ(options.thesis.viscosity_alpha, 0.04);
     EXPECT_EQ(options.thesis.viscosity_beta, 0.08);
-    EXPECT_EQ(options.geometry.volumes, VolumeRule::neighbour_count);
-    EXPECT_EQ(options.geometry.normals, NormalRule::divisions);
-    EXPECT_EQ(options.tissue.layer, Layer::binary);
+    EXPECT_EQ(options.geometry.volumes, prepare::VolumeRule::neighbour_count);
+    EXPECT_EQ(options.geometry.normals, prepare::NormalRule::divisions);
+    EXPECT_EQ(options.tissue.layer, material::Layer::binary);
     EXPECT_EQ(options.tissue.lambda, 0.75);
     EXPECT_EQ(options.tissue.barrier_J, 0.0);
     EXPECT_EQ(options.tlsph.kernel_mm, 3.5);
     EXPECT_EQ(options.tlsph.zeta, 0.0);
-    EXPECT_EQ(options.dynamics.integrator, Integrator::rk4);
+    EXPECT_EQ(options.dynamics.integrator, dynamics::Integrator::rk4);
     EXPECT_EQ(options.dynamics.time_step, 2e-5);
     EXPECT_EQ(options.dynamics.damping, 0.0);
     EXPECT_EQ(options.dynamics.max_halvings, 0);
@@ -40,25 +40,25 @@ TEST(Formulation, OneKeySelectsAllThatTheThesisDoes)
 
 TEST(Formulation, WhatTheCaseGivesStays)
 {
-    const Options options =
+    const config::Options options =
         read("[solver]\nkernel_mm = 3.0\nformulation = \"thesis\"\nintegrator = \"symplectic_euler\"\n"
              "[contact]\nenabled = true\n[tissue]\nlayer = \"smooth\"\n[thesis]\ngrowth = \"divided\"\n");
     EXPECT_EQ(options.tlsph.kernel_mm, 3.0);
-    EXPECT_EQ(options.dynamics.integrator, Integrator::symplectic_euler);
+    EXPECT_EQ(options.dynamics.integrator, dynamics::Integrator::symplectic_euler);
     EXPECT_TRUE(options.contact.enabled);
-    EXPECT_EQ(options.tissue.layer, Layer::smooth);
+    EXPECT_EQ(options.tissue.layer, material::Layer::smooth);
     EXPECT_EQ(options.tissue.lambda, 0.0); // which a smooth layer has no use for
-    EXPECT_EQ(options.thesis.growth, GrowthEntry::divided);
-    EXPECT_EQ(options.geometry.volumes, VolumeRule::neighbour_count);
+    EXPECT_EQ(options.thesis.growth, thesis::GrowthEntry::divided);
+    EXPECT_EQ(options.geometry.volumes, prepare::VolumeRule::neighbour_count);
 }
 
 TEST(Formulation, AResolvedCaseReadsBackEqual)
 {
-    const Options options =
+    const config::Options options =
         read("[solver]\nformulation = \"thesis\"\nkernel_mm = 4.0\n[thesis]\nforce = \"conservative\"\n");
-    EXPECT_EQ(to_toml(read(to_toml(options))), to_toml(options));
-    EXPECT_THAT(to_toml(options), testing::HasSubstr("force = \"conservative\""));
-    EXPECT_THAT(to_toml(read("")), testing::Not(testing::HasSubstr("[thesis]")));
+    EXPECT_EQ(config::to_toml(read(config::to_toml(options))), config::to_toml(options));
+    EXPECT_THAT(config::to_toml(options), testing::HasSubstr("force = \"conservative\""));
+    EXPECT_THAT(config::to_toml(read("")), testing::Not(testing::HasSubstr("[thesis]")));
 }
 
 TEST(Formulation, WhatDoesNotGoTogetherIsRefused)

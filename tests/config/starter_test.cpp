@@ -18,9 +18,9 @@ void replace(std::string& text, const std::string& old, const std::string& with)
     text.replace(at + 1, old.size(), with);
 }
 
-Options parsed(const std::string& text)
+config::Options parsed(const std::string& text)
 {
-    return parse_case(text, "starter", {}, "");
+    return config::parse_case(text, "starter", {}, "");
 }
 
 } // namespace
@@ -31,7 +31,7 @@ TEST(Starter, ItsResolutionsAreValid)
 {
     for (const char* key : {"spacing_mm", "elements"})
     {
-        std::string text = starter_case(Shape::sphere);
+        std::string text = config::starter_case(prepare::Shape::sphere);
         replace(text, "particles = ", "# particles = ");
         replace(text, "# " + std::string(key) + " = ", std::string(key) + " = ");
         EXPECT_NO_THROW(parsed(text)) << key;
@@ -44,7 +44,7 @@ TEST(Starter, ItsWeeksAreValid)
 {
     for (const char* clock : {"wang", "cubic"})
     {
-        std::string text = starter_case(Shape::ellipsoid);
+        std::string text = config::starter_case(prepare::Shape::ellipsoid);
         replace(text, "clock = \"none\"", "clock = \"" + std::string(clock) + "\"");
         replace(text, "start = ", "# start = ");
         replace(text, "end = ", "# end = ");

@@ -16,9 +16,9 @@ using Overrides = std::vector<std::string>;
 
 constexpr std::string_view preset_case = "[tissue]\nthickness_preset = \"linear_2.5mm\"\n";
 
-Options parse(std::string_view text, const Overrides& overrides = {})
+config::Options parse(std::string_view text, const Overrides& overrides = {})
 {
-    return parse_case(text, "case.toml", overrides, "/cases");
+    return config::parse_case(text, "case.toml", overrides, "/cases");
 }
 
 std::string refusal(std::string_view text, const Overrides& overrides = {})
@@ -36,29 +36,29 @@ std::string refusal(std::string_view text, const Overrides& overrides = {})
 
 TEST(ThicknessPreset, SetsBothNumbers)
 {
-    const TissueOptions linear = parse(preset_case).tissue;
+    const material::TissueOptions linear = parse(preset_case).tissue;
     EXPECT_EQ(linear.thickness_mm, 2.5);
     EXPECT_EQ(linear.thickness_rate_mm, 0.3);
-    EXPECT_EQ(parse("").tissue.thickness_mm, TissueOptions{}.thickness_mm);
+    EXPECT_EQ(parse("").tissue.thickness_mm, material::TissueOptions{}.thickness_mm);
     EXPECT_EQ(parse("[tissue]\nthickness_preset = \"none\"\nthickness_mm = 2\n").tissue.thickness_mm, 2.0);
 }
 
 TEST(ThicknessPreset, EveryRowHasItsOwnNameAndASource)
 {
-    const auto rows = thickness_presets();
+    const auto rows = material::thickness_presets();
     for (std::size_t k = 0; k < rows.size(); ++k)
     {
         EXPECT_EQ(static_cast<std::size_t>(rows[k].preset), k + 1); // names are read in the order of the enumerators
         EXPECT_FALSE(rows[k].source.empty());
-        EXPECT_NE(schema_text().find(rows[k].source), std::string::npos);
+        EXPECT_NE(config::schema_text().find(rows[k].source), std::string::npos);
     }
 }
 
 TEST(ThicknessPreset, TheResolvedCaseReadsBack)
 {
-    const std::string text = to_toml(parse(preset_case));
+    const std::string text = config::to_toml(parse(preset_case));
     EXPECT_EQ(text.find("thickness_mm"), std::string::npos);
-    EXPECT_EQ(to_toml(parse(text)), text);
+    EXPECT_EQ(config::to_toml(parse(text)), text);
     EXPECT_EQ(parse(text).tissue.thickness_rate_mm, 0.3);
 }
 
@@ -78,7 +78,7 @@ TEST(ThicknessPreset, ExcludesTheNumbers)
 TEST(ThicknessPreset, OnTheCommandLineReplacesTheNumbersOfTheFile)
 {
     const std::string_view numbers = "[tissue]\nthickness_mm = 3\nthickness_rate_mm = 1\n";
-    const TissueOptions tissue = parse(numbers, {"tissue.thickness_preset=linear_2.5mm"}).tissue;
+    const material::TissueOptions tissue = parse(numbers, {"tissue.thickness_preset=linear_2.5mm"}).tissue;
     EXPECT_EQ(tissue.thickness_mm, 2.5);
     EXPECT_EQ(tissue.thickness_rate_mm, 0.3);
     EXPECT_EQ(parse(numbers, {"tissue.thickness_preset=none"}).tissue.thickness_mm, 3.0);

@@ -17,9 +17,9 @@ using Overrides = std::vector<std::string>;
 
 constexpr std::string_view weeks_case = "[time]\nclock = \"wang\"\nstart_week = 23\nend_week = 38\n";
 
-Options parse(std::string_view text, const Overrides& overrides = {})
+config::Options parse(std::string_view text, const Overrides& overrides = {})
 {
-    return parse_case(text, "case.toml", overrides, "/cases");
+    return config::parse_case(text, "case.toml", overrides, "/cases");
 }
 
 std::string refusal(std::string_view text, const Overrides& overrides = {})
@@ -38,10 +38,10 @@ std::string refusal(std::string_view text, const Overrides& overrides = {})
 
 TEST(Weeks, SetTheGrowthTimesOfARun)
 {
-    const Options options = parse(weeks_case);
-    EXPECT_EQ(options.time.start, growth_time(GestationalClock::wang, 23.0));
-    EXPECT_EQ(options.time.end, growth_time(GestationalClock::wang, 38.0));
-    const std::vector<double> times = output_times(options);
+    const config::Options options = parse(weeks_case);
+    EXPECT_EQ(options.time.start, material::growth_time(material::GestationalClock::wang, 23.0));
+    EXPECT_EQ(options.time.end, material::growth_time(material::GestationalClock::wang, 38.0));
+    const std::vector<double> times = record::output_times(options);
     EXPECT_EQ(times.front(), options.time.start);
     EXPECT_EQ(times.back(), options.time.end);
     EXPECT_EQ(times.size(), 11u);
@@ -51,37 +51,38 @@ TEST(Weeks, SetTheGrowthTimesOfARun)
 
 TEST(Weeks, OutputsAtChosenWeeks)
 {
-    const Options options = parse(weeks_case, {"output.weeks=[22, 25, 30, 38, 40]"});
-    const std::vector<double> times = output_times(options);
+    const config::Options options = parse(weeks_case, {"output.weeks=[22, 25, 30, 38, 40]"});
+    const std::vector<double> times = record::output_times(options);
     ASSERT_EQ(times.size(), 4u); // the start, two of the weeks, the end
-    EXPECT_EQ(times[1], growth_time(GestationalClock::wang, 25.0));
-    EXPECT_EQ(times[2], growth_time(GestationalClock::wang, 30.0));
-    ASSERT_EQ(case_warnings(options).size(), 1u);
-    EXPECT_NE(case_warnings(options)[0].find("output.weeks: 22, 40 outside the run, weeks 23 to 38"),
+    EXPECT_EQ(times[1], material::growth_time(material::GestationalClock::wang, 25.0));
+    EXPECT_EQ(times[2], material::growth_time(material::GestationalClock::wang, 30.0));
+    ASSERT_EQ(config::case_warnings(options).size(), 1u);
+    EXPECT_NE(config::case_warnings(options)[0].find("output.weeks: 22, 40 outside the run, weeks 23 to 38"),
               std::string::npos);
 }
 
 TEST(Weeks, TheResolvedCaseReadsBack)
 {
-    const Options options =
+    const config::Options options =
         parse(weeks_case, {"output.weeks=[25, 30.5]", "size.law=quadratic", "tissue.normal=current",
                            "tissue.growth_law=gompertz", "tissue.alpha_r=0.1", "size.applies_to=body"});
-    const std::string text = to_toml(options);
-    EXPECT_EQ(to_toml(parse(text)), text);
+    const std::string text = config::to_toml(options);
+    EXPECT_EQ(config::to_toml(parse(text)), text);
     EXPECT_EQ(parse(text).time.start, options.time.start);
-    EXPECT_EQ(parse(text).size.applies_to, SizedState::body);
-    EXPECT_EQ(parse(text).tissue.normal, NormalFrame::current);
-    EXPECT_EQ(parse(text).tissue.growth_law, GrowthLaw::gompertz);
+    EXPECT_EQ(parse(text).size.applies_to, material::SizedState::body);
+    EXPECT_EQ(parse(text).tissue.normal, material::NormalFrame::current);
+    EXPECT_EQ(parse(text).tissue.growth_law, material::GrowthLaw::gompertz);
     // A run may be resumed to a later week, from another week it is another run.
-    EXPECT_TRUE(differing_keys(text, to_toml(parse(text, {"time.end_week=40"}))).empty());
-    EXPECT_EQ(differing_keys(text, to_toml(parse(text, {"time.start_week=24"}))).size(), 1u);
+    EXPECT_TRUE(config::differing_keys(text, config::to_toml(parse(text, {"time.end_week=40"}))).empty());
+    EXPECT_EQ(config::differing_keys(text, config::to_toml(parse(text, {"time.start_week=24"}))).size(), 1u);
 }
 
 TEST(Weeks, AnOverrideWithWeeksReplacesTheTimesOfTheFile)
 {
-    const Options options = parse("[time]\nend = 0.5\n[output]\ntimes = [0.1]\n",
-                                  {"time.clock=wang", "time.start_week=23", "time.end_week=30", "output.weeks=[25]"});
-    EXPECT_EQ(options.time.end, growth_time(GestationalClock::wang, 30.0));
+    const config::Options options =
+        parse("[time]\nend = 0.5\n[output]\ntimes = [0.1]\n",
+              {"time.clock=wang", "time.start_week=23", "time.end_week=30", "output.weeks=[25]"});
+    EXPECT_EQ(options.time.end, material::growth_time(material::GestationalClock::wang, 30.0));
     EXPECT_TRUE(options.output.times.empty());
 }
 
@@ -124,10 +125,10 @@ TEST(Weeks, OneWayOfTellingTheTime)
 
 TEST(Weeks, TheLengthLawOfTheOtherClockWarns)
 {
-    EXPECT_EQ(case_warnings(parse(weeks_case, {"size.law=hyperbolic"})).size(), 1u);
-    EXPECT_TRUE(case_warnings(parse(weeks_case, {"size.law=quadratic"})).empty());
-    EXPECT_TRUE(case_warnings(parse("[time]\nclock = \"cubic\"\nstart_week = 22\nend_week = 30\n[size]\nlaw = "
-                                    "\"hyperbolic\"\n"))
+    EXPECT_EQ(config::case_warnings(parse(weeks_case, {"size.law=hyperbolic"})).size(), 1u);
+    EXPECT_TRUE(config::case_warnings(parse(weeks_case, {"size.law=quadratic"})).empty());
+    EXPECT_TRUE(config::case_warnings(parse("[time]\nclock = \"cubic\"\nstart_week = 22\nend_week = 30\n[size]\nlaw = "
+                                            "\"hyperbolic\"\n"))
                     .empty());
 }
 

@@ -16,7 +16,7 @@ struct Oscillator
     double mass = 2.0;
     double stiffness = 3.0;
     double damping = 0.0;
-    Motion motion;
+    dynamics::Motion motion;
     double damped = 0.0;
 
     Oscillator()
@@ -28,11 +28,11 @@ struct Oscillator
 
     double potential() const { return 0.5 * stiffness * squared_norm(motion.x[0]); }
 
-    StepEnergies step(double dt)
+    dynamics::StepEnergies step(double dt)
     {
         motion.force[0] = -stiffness * motion.x[0];
-        Motion next = motion;
-        const StepEnergies energies = advance(motion, std::vector{mass}, dt, damping, next);
+        dynamics::Motion next = motion;
+        const dynamics::StepEnergies energies = dynamics::advance(motion, std::vector{mass}, dt, damping, next);
         motion = next;
         damped += energies.damped;
         return energies;
@@ -71,7 +71,7 @@ TEST(Advance, KeepsTheInvariantOfSymplecticEuler)
     // m v² / 2 + k x² / 2 - dt k x v / 2 is conserved exactly by v' = v - dt k x / m, x' = x + dt v'.
     const auto invariant = [&]
     {
-        const Motion& m = oscillator.motion;
+        const dynamics::Motion& m = oscillator.motion;
         return 0.5 * oscillator.mass * squared_norm(m.v[0]) + oscillator.potential() -
                0.5 * dt * oscillator.stiffness * dot(m.x[0], m.v[0]);
     };
@@ -85,12 +85,12 @@ TEST(Advance, KeepsTheInvariantOfSymplecticEuler)
 
 TEST(Advance, DampingDecaysExactlyWhateverTheStep)
 {
-    Motion motion{{Vec3{1, 2, 3}}, {Vec3{4, -5, 6}}, {Vec3{}}};
-    Motion next = motion;
+    dynamics::Motion motion{{Vec3{1, 2, 3}}, {Vec3{4, -5, 6}}, {Vec3{}}};
+    dynamics::Motion next = motion;
     double damped = 0.0;
     for (const double dt : {0.1, 2.0, 0.4})
     {
-        damped += advance(motion, std::vector{1.5}, dt, 0.8, next).damped;
+        damped += dynamics::advance(motion, std::vector{1.5}, dt, 0.8, next).damped;
         motion = next;
     }
     const Vec3 expected = std::exp(-0.8 * 2.5) * Vec3{4, -5, 6};
@@ -100,9 +100,9 @@ TEST(Advance, DampingDecaysExactlyWhateverTheStep)
 
 TEST(Advance, TellsTheLongestWay)
 {
-    const Motion motion{{Vec3{}, Vec3{}}, {Vec3{3, 0, 4}, Vec3{0, -1, 0}}, {Vec3{}, Vec3{}}};
-    Motion next = motion;
-    EXPECT_NEAR(advance(motion, std::vector{2.0, 2.0}, 0.1, 0.0, next).longest, 0.5, 1e-15);
+    const dynamics::Motion motion{{Vec3{}, Vec3{}}, {Vec3{3, 0, 4}, Vec3{0, -1, 0}}, {Vec3{}, Vec3{}}};
+    dynamics::Motion next = motion;
+    EXPECT_NEAR(dynamics::advance(motion, std::vector{2.0, 2.0}, 0.1, 0.0, next).longest, 0.5, 1e-15);
 }
 
 TEST(Advance, EnergyBooksBalance)
@@ -123,7 +123,7 @@ TEST(Advance, EnergyBooksBalance)
 
 TEST(CriticalStep, IsTheShareOfTheTimeAWaveTakesPerSpacing)
 {
-    EXPECT_DOUBLE_EQ(critical_step(0.25, 0.6, 3.0), 0.05);
+    EXPECT_DOUBLE_EQ(dynamics::critical_step(0.25, 0.6, 3.0), 0.05);
 }
 
 } // namespace

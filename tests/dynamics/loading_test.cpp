@@ -11,7 +11,7 @@ namespace
 constexpr double growth_step = 1e-3;
 
 /// The rate at t_end when nothing folds. @param rate  at t
-double unfolded_rate(const Loading& loading, double rate, double t, double t_end)
+double unfolded_rate(const dynamics::Loading& loading, double rate, double t, double t_end)
 {
     for (; t < t_end; t += growth_step)
     {
@@ -22,8 +22,8 @@ double unfolded_rate(const Loading& loading, double rate, double t, double t_end
 
 TEST(Loading, PassesTheGrowthAtWhichAFlatCortexFoldsSlowly)
 {
-    const DynamicsOptions dynamics;
-    const Loading loading(dynamics, {}, 0.0);
+    const dynamics::DynamicsOptions dynamics;
+    const dynamics::Loading loading(dynamics, {}, 0.0);
     // A flat layer of the default tissue folds at g = 1.3805, t = 0.208; the sphere of the thesis at t = 0.241.
     EXPECT_FALSE(loading.is_critical(0.17));
     EXPECT_TRUE(loading.is_critical(0.208));
@@ -36,14 +36,14 @@ TEST(Loading, PassesTheGrowthAtWhichAFlatCortexFoldsSlowly)
 
 TEST(Loading, CountsGrowthSinceTheBodyWasFreeOfStress)
 {
-    TissueOptions tissue;
+    material::TissueOptions tissue;
     tissue.alpha_t = 2.0;
-    EXPECT_TRUE(Loading({}, tissue, 0.0).is_critical(0.2));
+    EXPECT_TRUE(dynamics::Loading({}, tissue, 0.0).is_critical(0.2));
     // (1 + 2 t) / 1.4 = 1.4 at t = 0.48
-    EXPECT_FALSE(Loading({}, tissue, 0.2).is_critical(0.2));
-    EXPECT_TRUE(Loading({}, tissue, 0.2).is_critical(0.48));
+    EXPECT_FALSE(dynamics::Loading({}, tissue, 0.2).is_critical(0.2));
+    EXPECT_TRUE(dynamics::Loading({}, tissue, 0.2).is_critical(0.48));
     tissue.alpha_white = 2.0; // both grow alike: nothing to fold
-    const Loading alike({}, tissue, 0.0);
+    const dynamics::Loading alike({}, tissue, 0.0);
     for (double t = 0.0; t <= 1.0; t += 0.01)
     {
         EXPECT_FALSE(alike.is_critical(t));
@@ -52,8 +52,8 @@ TEST(Loading, CountsGrowthSinceTheBodyWasFreeOfStress)
 
 TEST(Loading, FollowsTheKineticEnergyOnceFoldsHaveAppeared)
 {
-    const DynamicsOptions dynamics;
-    const Loading loading(dynamics, {}, 0.0);
+    const dynamics::DynamicsOptions dynamics;
+    const dynamics::Loading loading(dynamics, {}, 0.0);
     const auto after = [&](double rate, double kinetic)
     {
         for (int step = 0; step < 1000; ++step)
@@ -69,15 +69,15 @@ TEST(Loading, FollowsTheKineticEnergyOnceFoldsHaveAppeared)
 
 TEST(Loading, KeepsAFixedStepAndMayBeTurnedOff)
 {
-    DynamicsOptions dynamics;
+    dynamics::DynamicsOptions dynamics;
     dynamics.slowest_loading = 1.0;
     dynamics.fastest_loading = 1.0;
-    const Loading constant(dynamics, {}, 0.0);
+    const dynamics::Loading constant(dynamics, {}, 0.0);
     EXPECT_EQ(unfolded_rate(constant, 1.0, 0.0, 0.24), 1.0);
     EXPECT_EQ(constant.next({1.0, 0.3, growth_step, true, 1e-9, 1.0}), 1.0);
     dynamics = {};
     dynamics.time_step = 1e-4;
-    EXPECT_EQ(unfolded_rate(Loading(dynamics, {}, 0.0), 1.0, 0.0, 0.24), 1.0);
+    EXPECT_EQ(unfolded_rate(dynamics::Loading(dynamics, {}, 0.0), 1.0, 0.0, 0.24), 1.0);
 }
 
 } // namespace

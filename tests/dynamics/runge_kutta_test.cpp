@@ -16,16 +16,16 @@ double oscillator_at_two(int steps)
     const std::vector<double> mass{0.5};
     const double damping = 0.6;
     const double dt = 2.0 / steps;
-    const auto force = [&](Motion& motion, double t) {
+    const auto force = [&](dynamics::Motion& motion, double t) {
         motion.force[0] = (0.5 * (std::sin(t) - 4.0 * motion.x[0].x)) * Vec3{1, 0, 0};
     };
-    Motion now{{{1, 0, 0}}, {{}}, {{}}};
-    Motion next = now;
-    RungeKutta4 method;
+    dynamics::Motion now{{{1, 0, 0}}, {{}}, {{}}};
+    dynamics::Motion next = now;
+    dynamics::RungeKutta4 method;
     force(now, 0.0);
     for (int k = 0; k < steps; ++k)
     {
-        const auto evaluate = [&](Motion& stage, double part)
+        const auto evaluate = [&](dynamics::Motion& stage, double part)
         {
             force(stage, (k + part) * dt);
             return true;
@@ -48,11 +48,11 @@ TEST(RungeKutta4, IsOfFourthOrder)
 
 TEST(RungeKutta4, StopsAtAStageThatIsInvalid)
 {
-    Motion now{{{1, 0, 0}}, {{}}, {{}}};
-    Motion next = now;
+    dynamics::Motion now{{{1, 0, 0}}, {{}}, {{}}};
+    dynamics::Motion next = now;
     int calls = 0;
-    const auto evaluate = [&](Motion&, double) { return ++calls < 2; };
-    EXPECT_FALSE(RungeKutta4().advance(now, std::vector<double>{1.0}, 0.1, 0.0, evaluate, next));
+    const auto evaluate = [&](dynamics::Motion&, double) { return ++calls < 2; };
+    EXPECT_FALSE(dynamics::RungeKutta4().advance(now, std::vector<double>{1.0}, 0.1, 0.0, evaluate, next));
     EXPECT_EQ(calls, 2);
 }
 

@@ -12,7 +12,7 @@ namespace
 {
 
 /// Weight of the nodes, m g, with the potential -sum m g . x.
-class Gravity final : public ForceTerm
+class Gravity final : public mechanics::ForceTerm
 {
   public:
     /// @param acceleration  g [mm per unit of time squared]
@@ -22,7 +22,7 @@ class Gravity final : public ForceTerm
     }
 
     std::string_view name() const override { return "gravity"; }
-    Contribution add(const StepContext& context, std::span<Vec3> forces) override
+    mechanics::Contribution add(const mechanics::StepContext& context, std::span<Vec3> forces) override
     {
         potential_ = 0.0;
         for (std::size_t i = 0; i < masses_.size(); ++i)
@@ -32,8 +32,8 @@ class Gravity final : public ForceTerm
         }
         return {};
     }
-    std::vector<NamedEnergy> energies() const override { return {{"gravity", potential_}}; }
-    void accept(const StepContext& context, History& history) override
+    std::vector<mechanics::NamedEnergy> energies() const override { return {{"gravity", potential_}}; }
+    void accept(const mechanics::StepContext& context, mechanics::History& history) override
     {
         std::vector<double>& fallen = history["gravity.falling_time"];
         fallen.resize(1);
@@ -46,7 +46,7 @@ class Gravity final : public ForceTerm
     double potential_ = 0.0;
 };
 
-Vec3 centre_of_mass(const Simulation& simulation)
+Vec3 centre_of_mass(const model::Simulation& simulation)
 {
     const std::vector<double>& masses = simulation.model().cloud.volumes;
     Vec3 sum;
@@ -61,10 +61,10 @@ Vec3 centre_of_mass(const Simulation& simulation)
 
 TEST(ForceTermExample, GravityLetsABodyFallAsNewtonSays)
 {
-    Options options = test::sphere_options(2500);
+    config::Options options = test::sphere_options(2500);
     options.dynamics.damping = 0.0;
     options.tissue.alpha_t = 0.0;
-    Simulation simulation(test::small_model(), options);
+    model::Simulation simulation(test::small_model(), options);
     const Vec3 g{0.0, 0.0, -0.5};
     simulation.add_term(std::make_unique<Gravity>(simulation.model().cloud.volumes, g));
     EXPECT_EQ(simulation.terms().back()->name(), "gravity");

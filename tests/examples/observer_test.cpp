@@ -14,24 +14,24 @@ namespace
 {
 
 /// Notes the area of the surface at output times, and asks for the end where it has grown enough.
-class AreaWatch final : public Observer
+class AreaWatch final : public model::Observer
 {
   public:
     explicit AreaWatch(double enough) : enough_(enough) {}
 
-    void on_step(const Simulation& /*simulation*/) override { ++steps; }
-    void on_output(const OutputView& view) override
+    void on_step(const model::Simulation& /*simulation*/) override { ++steps; }
+    void on_output(const model::OutputView& view) override
     {
         numbers.push_back(view.number);
         areas.push_back(surface_area(view.surface, view.triangles()));
     }
-    void on_end(const Simulation& /*simulation*/, RunStatus status) override { ended = status; }
+    void on_end(const model::Simulation& /*simulation*/, model::RunStatus status) override { ended = status; }
     bool has_enough() const { return areas.back() > enough_ * areas.front(); }
 
     std::int64_t steps = 0;
     std::vector<std::size_t> numbers;
     std::vector<double> areas;
-    RunStatus ended{};
+    model::RunStatus ended{};
 
   private:
     double enough_;
@@ -39,13 +39,13 @@ class AreaWatch final : public Observer
 
 TEST(ObserverExample, SeesEveryOutputAndMayEndTheRun)
 {
-    Simulation simulation(test::small_model(), test::sphere_options(2500));
+    model::Simulation simulation(test::small_model(), test::sphere_options(2500));
     AreaWatch watch(1.02);
-    Observer* const observers[]{&watch};
+    model::Observer* const observers[]{&watch};
     const std::vector<double> times{0.0, 0.02, 0.04, 0.06, 1.0};
-    const RunStatus status = fold(simulation, times, 3, observers, [&] { return watch.has_enough(); });
-    EXPECT_EQ(status, RunStatus::interrupted);
-    EXPECT_EQ(watch.ended, RunStatus::interrupted);
+    const model::RunStatus status = model::fold(simulation, times, 3, observers, [&] { return watch.has_enough(); });
+    EXPECT_EQ(status, model::RunStatus::interrupted);
+    EXPECT_EQ(watch.ended, model::RunStatus::interrupted);
     EXPECT_THAT(watch.numbers, testing::ElementsAre(3, 4, 5));
     EXPECT_GT(watch.steps, 10);
     EXPECT_LT(simulation.state().t, 0.06);
@@ -53,11 +53,11 @@ TEST(ObserverExample, SeesEveryOutputAndMayEndTheRun)
 
 TEST(ObserverExample, TwoSimulationsShareAModel)
 {
-    Options options = test::sphere_options(2500);
-    Simulation one(test::small_model(), options);
+    config::Options options = test::sphere_options(2500);
+    model::Simulation one(test::small_model(), options);
     options.tissue.alpha_t = 0.5;
-    Simulation other(test::small_model(), options);
-    Simulation alone(test::small_model(), options);
+    model::Simulation other(test::small_model(), options);
+    model::Simulation alone(test::small_model(), options);
     for (int k = 0; k < 20; ++k)
     {
         one.step(1.0);
@@ -70,8 +70,8 @@ TEST(ObserverExample, TwoSimulationsShareAModel)
 
 TEST(SimulationEntry, RefusesAStateOfAnotherSize)
 {
-    Simulation simulation(test::small_model(), test::sphere_options(2500));
-    State state;
+    model::Simulation simulation(test::small_model(), test::sphere_options(2500));
+    model::State state;
     state.motion.x.resize(7);
     EXPECT_THROW(simulation.restore(state), InputError);
 }

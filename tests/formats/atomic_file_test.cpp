@@ -46,8 +46,8 @@ class FileSizeLimit
 TEST(AtomicFile, WritesAndReplacesWhole)
 {
     const TemporaryFolder folder;
-    write_text_atomically(folder / "a.txt", "first");
-    write_text_atomically(folder / "a.txt", std::string("sec\0nd", 6));
+    formats::write_text_atomically(folder / "a.txt", "first");
+    formats::write_text_atomically(folder / "a.txt", std::string("sec\0nd", 6));
     EXPECT_EQ(bytes_of(folder / "a.txt"), std::string("sec\0nd", 6));
     EXPECT_EQ(folder.file_count(), 1u);
 }
@@ -55,13 +55,14 @@ TEST(AtomicFile, WritesAndReplacesWhole)
 TEST(AtomicFile, KeepsTheOldFileWhenWritingFails)
 {
     const TemporaryFolder folder;
-    write_text_atomically(folder / "a.txt", "old");
+    formats::write_text_atomically(folder / "a.txt", "old");
     const auto fails_halfway = [](const std::filesystem::path& path)
     {
         put_bytes(path, "half");
         throw std::runtime_error("no more");
     };
-    const std::string message = message_of<RunError>([&] { write_atomically(folder / "a.txt", fails_halfway); });
+    const std::string message =
+        message_of<RunError>([&] { formats::write_atomically(folder / "a.txt", fails_halfway); });
     EXPECT_EQ(message, "cannot write " + (folder / "a.txt").string() + ": no more");
     EXPECT_EQ(bytes_of(folder / "a.txt"), "old");
     EXPECT_EQ(folder.file_count(), 1u);
@@ -70,10 +71,10 @@ TEST(AtomicFile, KeepsTheOldFileWhenWritingFails)
 TEST(AtomicFile, ReportsAFullDisk)
 {
     const TemporaryFolder folder;
-    write_text_atomically(folder / "a.txt", "old");
+    formats::write_text_atomically(folder / "a.txt", "old");
     const FileSizeLimit limit(1000);
     const std::string message =
-        message_of<RunError>([&] { write_text_atomically(folder / "a.txt", std::string(5000, 'x')); });
+        message_of<RunError>([&] { formats::write_text_atomically(folder / "a.txt", std::string(5000, 'x')); });
     EXPECT_THAT(message, ::testing::StartsWith("cannot write " + (folder / "a.txt").string() + ": File too large"));
     EXPECT_EQ(bytes_of(folder / "a.txt"), "old");
     EXPECT_EQ(folder.file_count(), 1u);
@@ -82,10 +83,10 @@ TEST(AtomicFile, ReportsAFullDisk)
 TEST(AtomicFile, NamesTheReason)
 {
     const TemporaryFolder folder;
-    EXPECT_THAT(message_of<RunError>([&] { write_text_atomically(folder / "none/a.txt", "x"); }),
+    EXPECT_THAT(message_of<RunError>([&] { formats::write_text_atomically(folder / "none/a.txt", "x"); }),
                 ::testing::HasSubstr("No such file or directory"));
     std::filesystem::create_directory(folder / "a.txt");
-    EXPECT_THAT(message_of<RunError>([&] { write_text_atomically(folder / "a.txt", "x"); }),
+    EXPECT_THAT(message_of<RunError>([&] { formats::write_text_atomically(folder / "a.txt", "x"); }),
                 ::testing::HasSubstr("directory"));
     EXPECT_EQ(folder.file_count(), 1u);
 }

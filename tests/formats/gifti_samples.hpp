@@ -41,8 +41,8 @@ inline std::string gifti_array(const GiftiStyle& style, const std::string& inten
         }
     }
     const std::string data = style.encoding == "ASCII"          ? text
-                             : style.encoding == "Base64Binary" ? to_base64(bytes)
-                                                                : to_base64(pack_zlib(bytes));
+                             : style.encoding == "Base64Binary" ? formats::to_base64(bytes)
+                                                                : formats::to_base64(formats::pack_zlib(bytes));
     return "<DataArray Intent=\"" + intent + "\" DataType=\"" + type + "\" ArrayIndexingOrder=\"" +
            (style.by_columns ? "ColumnMajorOrder" : "RowMajorOrder") + "\" Dimensionality=\"" +
            (columns == 1 ? "1" : "2") + "\" Dim0=\"" + std::to_string(rows) + "\"" +

@@ -20,7 +20,7 @@ using ::testing::HasSubstr;
 
 std::string refusal(const std::string& bytes)
 {
-    return message_of<InputError>([&] { parse_surface(bytes, "gii", "body.surf.gii"); });
+    return message_of<InputError>([&] { formats::parse_surface(bytes, "gii", "body.surf.gii"); });
 }
 
 std::string transform(const std::string& from, const std::string& to, const std::string& matrix)
@@ -32,7 +32,7 @@ std::string transform(const std::string& from, const std::string& to, const std:
 
 TriangleMesh read_with(const std::string& about_points)
 {
-    return parse_surface(gifti_surface(tetrahedron(), {}, about_points), "gii", "body");
+    return formats::parse_surface(gifti_surface(tetrahedron(), {}, about_points), "gii", "body");
 }
 
 /// `text` with its first `from` replaced.
@@ -54,7 +54,8 @@ TEST(Gifti, ReadsEveryStorageToTheSameNumbers)
                 for (const char* type : {"NIFTI_TYPE_FLOAT32", "NIFTI_TYPE_FLOAT64"})
                 {
                     const GiftiStyle style{encoding, big_endian, by_columns, type};
-                    const TriangleMesh mesh = parse_surface(gifti_surface(tetrahedron(), style), "gii", "body");
+                    const TriangleMesh mesh =
+                        formats::parse_surface(gifti_surface(tetrahedron(), style), "gii", "body");
                     EXPECT_EQ(mesh.vertices, tetrahedron().vertices) << encoding << big_endian << by_columns << type;
                     EXPECT_EQ(mesh.triangles, tetrahedron().triangles);
                 }
@@ -93,12 +94,12 @@ TEST(Gifti, ReadsBackTheSurfaceItWrites)
     const TemporaryFolder folder;
     TriangleMesh mesh = tetrahedron();
     mesh.vertices[3].z = -1.0 / 3.0;
-    write_surface_gifti(folder / "a.surf.gii", mesh.vertices, mesh.triangles, "CortexLeft");
-    const TriangleMesh read = read_surface(folder / "a.surf.gii");
+    formats::write_surface_gifti(folder / "a.surf.gii", mesh.vertices, mesh.triangles, "CortexLeft");
+    const TriangleMesh read = formats::read_surface(folder / "a.surf.gii");
     mesh.vertices[3].z = static_cast<double>(static_cast<float>(-1.0 / 3.0));
     EXPECT_EQ(read.vertices, mesh.vertices);
     EXPECT_EQ(read.triangles, mesh.triangles);
-    const GiftiFile file = parse_gifti(bytes_of(folder / "a.surf.gii"), "a");
+    const formats::GiftiFile file = formats::parse_gifti(bytes_of(folder / "a.surf.gii"), "a");
     EXPECT_EQ(file.metadata.at("AnatomicalStructurePrimary"), "CortexLeft");
     EXPECT_EQ(file.arrays.at(0).metadata.at("AnatomicalStructurePrimary"), "CortexLeft");
     EXPECT_EQ(file.arrays.at(0).transforms.at(0).data_space, "NIFTI_XFORM_SCANNER_ANAT");
@@ -110,8 +111,9 @@ TEST(Gifti, ReadsBackTheScalarsItWrites)
     const TemporaryFolder folder;
     const std::vector<double> growth{1.0, 1.5, -2.25, 1e-3};
     const std::vector<double> depth{0.0, 0.0, 0.0, 7.0};
-    write_scalars_gifti(folder / "a.shape.gii", std::vector<Field>{{"growth", 1, growth}, {"a < \"b\"", 1, depth}});
-    const GiftiFile file = parse_gifti(bytes_of(folder / "a.shape.gii"), "a");
+    formats::write_scalars_gifti(folder / "a.shape.gii",
+                                 std::vector<formats::Field>{{"growth", 1, growth}, {"a < \"b\"", 1, depth}});
+    const formats::GiftiFile file = formats::parse_gifti(bytes_of(folder / "a.shape.gii"), "a");
     ASSERT_EQ(file.arrays.size(), 2u);
     EXPECT_EQ(file.arrays[0].metadata.at("Name"), "growth");
     EXPECT_EQ(file.arrays[1].metadata.at("Name"), "a < \"b\"");
@@ -150,25 +152,26 @@ TEST(Gifti, SaysWhatMovedThePointsAndCanLeaveThemAlone)
     const std::string centre = gifti_metadata({{"VolGeomC_R", "5"}, {"VolGeomC_A", "-18"}, {"VolGeomC_S", "20"}});
     const Vec3 p = tetrahedron().vertices[1];
     std::vector<std::string> notes;
-    const auto read = [&](const std::string& about_points, Coordinates coordinates)
+    const auto read = [&](const std::string& about_points, formats::Coordinates coordinates)
     {
         notes.clear();
-        return parse_surface(gifti_surface(tetrahedron(), {}, about_points), "gii", "body", {1.0, coordinates, &notes})
+        return formats::parse_surface(gifti_surface(tetrahedron(), {}, about_points), "gii", "body",
+                                      {1.0, coordinates, &notes})
             .vertices[1];
     };
-    EXPECT_EQ(read(centre, Coordinates::scanner), (p + Vec3{5, -18, 20}));
+    EXPECT_EQ(read(centre, formats::Coordinates::scanner), (p + Vec3{5, -18, 20}));
     EXPECT_THAT(notes, ElementsAre(HasSubstr("moved by (5, -18, 20) mm by the volume geometry")));
-    EXPECT_EQ(read(centre, Coordinates::file), p);
+    EXPECT_EQ(read(centre, formats::Coordinates::file), p);
     EXPECT_THAT(notes, ElementsAre(HasSubstr("taken as they are, since coordinates = file")));
-    EXPECT_EQ(read("", Coordinates::scanner), p);
+    EXPECT_EQ(read("", formats::Coordinates::scanner), p);
     EXPECT_TRUE(notes.empty());
     // In a space that the file names, other than that of the volume geometry.
     const std::string identity = "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1";
     const std::string named = transform("NIFTI_XFORM_MNI_152", "NIFTI_XFORM_TALAIRACH", identity);
-    EXPECT_EQ(read(centre + named, Coordinates::scanner), p);
+    EXPECT_EQ(read(centre + named, formats::Coordinates::scanner), p);
     EXPECT_THAT(notes, ElementsAre(HasSubstr("points are in NIFTI_XFORM_MNI_152")));
     const std::string turned = "0 -1 0 10 1 0 0 20 0 0 1 30 0 0 0 1";
-    read(transform("NIFTI_XFORM_UNKNOWN", "NIFTI_XFORM_SCANNER_ANAT", turned), Coordinates::scanner);
+    read(transform("NIFTI_XFORM_UNKNOWN", "NIFTI_XFORM_SCANNER_ANAT", turned), formats::Coordinates::scanner);
     EXPECT_THAT(notes, ElementsAre(HasSubstr("mapped by the matrix (0 -1 0; 1 0 0; 0 0 1) and moved by (10, 20, 30)")));
 }
 
@@ -178,13 +181,13 @@ TEST(Gifti, ReadsTrianglesOfEveryWholeType)
     for (const char* type : {"INT8", "UINT8", "INT16", "UINT16", "UINT32", "INT64", "UINT64"})
     {
         const std::string bytes = changed(good, "NIFTI_TYPE_INT32", std::string("NIFTI_TYPE_") + type);
-        EXPECT_EQ(parse_surface(bytes, "gii", "body").triangles, tetrahedron().triangles) << type;
+        EXPECT_EQ(formats::parse_surface(bytes, "gii", "body").triangles, tetrahedron().triangles) << type;
     }
     // One number of 64 bits, 258, in base64.
     const std::string one = "<GIFTI><DataArray Intent=\"NIFTI_INTENT_SHAPE\" DataType=\"NIFTI_TYPE_INT64\" "
                             "Dimensionality=\"1\" Dim0=\"1\" Encoding=\"Base64Binary\" Endian=\"LittleEndian\">"
                             "<Data>AgEAAAAAAAA=</Data></DataArray></GIFTI>";
-    EXPECT_THAT(parse_gifti(one, "a").arrays.at(0).values, ElementsAre(258.0));
+    EXPECT_THAT(formats::parse_gifti(one, "a").arrays.at(0).values, ElementsAre(258.0));
 }
 
 } // namespace corticle

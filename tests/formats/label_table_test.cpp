@@ -12,12 +12,12 @@ namespace corticle
 namespace
 {
 
-LabelTable read(std::string_view text)
+formats::LabelTable read(std::string_view text)
 {
     const TemporaryFolder folder;
     put_bytes(folder / "table.csv", text);
     constexpr std::array<std::string_view, 3> used{"growth", "onset", "rate"};
-    return read_label_table(folder / "table.csv", used);
+    return formats::read_label_table(folder / "table.csv", used);
 }
 
 std::string refusal(std::string_view text)
@@ -29,7 +29,7 @@ std::string refusal(std::string_view text)
 
 TEST(LabelTable, ColumnsInAnyOrder)
 {
-    const LabelTable table = read("# lobes\ngrowth, label ,onset\n1.5, 2, 0.1\r\n\n0.5,-7,0.25\n");
+    const formats::LabelTable table = read("# lobes\ngrowth, label ,onset\n1.5, 2, 0.1\r\n\n0.5,-7,0.25\n");
     EXPECT_EQ(table.columns, (std::vector<std::string>{"growth", "onset"}));
     EXPECT_EQ(table.rows.at(2), (std::vector<double>{1.5, 0.1}));
     EXPECT_EQ(table.rows.at(-7), (std::vector<double>{0.5, 0.25}));
@@ -51,7 +51,7 @@ TEST(LabelTable, RefusesInOneLine)
 
 TEST(LabelTable, LeavesOtherColumnsAlone)
 {
-    const LabelTable table = read("label;name;growth;groth\n1;frontal;1,2;x\n2;\"parietal; upper\";1;\n");
+    const formats::LabelTable table = read("label;name;growth;groth\n1;frontal;1,2;x\n2;\"parietal; upper\";1;\n");
     EXPECT_EQ(table.columns, std::vector<std::string>{"growth"});
     EXPECT_EQ(table.unused, (std::vector<std::string>{"name", "groth"}));
     EXPECT_EQ(table.rows.at(1), std::vector<double>{1.2});

@@ -23,12 +23,12 @@ const std::string sample = "t [-],area [mm2],week,work_growth [mu_w mm3]\n"
 
 std::string message(const std::string& text)
 {
-    return message_of<InputError>([&] { parse_number_table(text, "a.csv"); });
+    return message_of<InputError>([&] { formats::parse_number_table(text, "a.csv"); });
 }
 
 TEST(NumberTable, FindsColumnsByName)
 {
-    const NumberTable table = parse_number_table(sample, "a.csv");
+    const formats::NumberTable table = formats::parse_number_table(sample, "a.csv");
     ASSERT_EQ(table.columns.size(), 4u);
     EXPECT_EQ(table.row_count(), 3u);
     ASSERT_NE(table.find("area"), nullptr);
@@ -42,8 +42,9 @@ TEST(NumberTable, FindsColumnsByName)
 
 TEST(NumberTable, ReadsWindowsLinesAndNoRows)
 {
-    EXPECT_EQ(parse_number_table("a,b\r\n1,2\r\n\r\n3,4", "a.csv").find("b")->values, (std::vector<double>{2, 4}));
-    EXPECT_EQ(parse_number_table("a,b\n", "a.csv").row_count(), 0u);
+    EXPECT_EQ(formats::parse_number_table("a,b\r\n1,2\r\n\r\n3,4", "a.csv").find("b")->values,
+              (std::vector<double>{2, 4}));
+    EXPECT_EQ(formats::parse_number_table("a,b\n", "a.csv").row_count(), 0u);
 }
 
 TEST(NumberTable, RefusesWhatIsNoTable)
@@ -56,13 +57,14 @@ TEST(NumberTable, RefusesWhatIsNoTable)
     EXPECT_THAT(message("a,a\n1,2\n"), HasSubstr("bad header"));
     EXPECT_THAT(message("a,\n1,2\n"), HasSubstr("bad header"));
     EXPECT_THAT(message("0,1\n2,3\n"), HasSubstr("bad header"));
-    EXPECT_THAT(message_of<InputError>([] { read_number_table("no_such.csv"); }), HasSubstr("no_such.csv"));
+    EXPECT_THAT(message_of<InputError>([] { formats::read_number_table("no_such.csv"); }), HasSubstr("no_such.csv"));
 }
 
 TEST(NumberTable, JudgesTheColumnsThatAreUsed)
 {
     const std::array<std::string_view, 2> used{"x", "y"};
-    const NumberTable table = parse_number_table("name;x;y\nvertex;0,5;1\nfoot;2;-1,25\n", "a.csv", used);
+    const formats::NumberTable table =
+        formats::parse_number_table("name;x;y\nvertex;0,5;1\nfoot;2;-1,25\n", "a.csv", used);
     EXPECT_EQ(table.find("x")->values, (std::vector<double>{0.5, 2.0}));
     EXPECT_EQ(table.find("y")->values, (std::vector<double>{1.0, -1.25}));
     EXPECT_THAT(message("name,x\nvertex,1\n"), testing::HasSubstr("bad number in column name; got vertex"));
@@ -85,8 +87,8 @@ TEST(NumberTable, SurvivesDamage)
         }
         try
         {
-            const NumberTable table = parse_number_table(text, "a.csv");
-            for (const NumberColumn& column : table.columns)
+            const formats::NumberTable table = formats::parse_number_table(text, "a.csv");
+            for (const formats::NumberColumn& column : table.columns)
             {
                 ASSERT_EQ(column.values.size(), table.row_count());
             }
@@ -103,21 +105,22 @@ TEST(NumberTable, SurvivesDamage)
 
 TEST(Markdown, TableHasALineForEachRow)
 {
-    EXPECT_EQ(markdown_table({"a", "b"}, {{"1", "2"}, {"3", "4"}}), "| a | b |\n|---|---|\n| 1 | 2 |\n| 3 | 4 |\n\n");
+    EXPECT_EQ(study::markdown_table({"a", "b"}, {{"1", "2"}, {"3", "4"}}),
+              "| a | b |\n|---|---|\n| 1 | 2 |\n| 3 | 4 |\n\n");
 }
 
 TEST(Markdown, CellsAndNumbers)
 {
-    EXPECT_EQ(markdown_cell("a|b_c\n"), "a\\|b\\_c ");
-    EXPECT_EQ(table_number(1.0 / 3.0), "0.33333");
-    EXPECT_EQ(table_number(std::nan("")), "-");
-    EXPECT_EQ(table_percent(12.345), "+12.3 %");
-    EXPECT_EQ(table_percent(-0.5), "-0.5 %");
-    EXPECT_EQ(table_percent(4e-14), "0 %");
-    EXPECT_EQ(table_percent(std::nan("")), "-");
-    EXPECT_EQ(table_difference(0.0123456), "+0.0123");
-    EXPECT_EQ(table_difference(0.0), "0");
-    EXPECT_EQ(table_difference(std::nan("")), "-");
+    EXPECT_EQ(study::markdown_cell("a|b_c\n"), "a\\|b\\_c ");
+    EXPECT_EQ(study::table_number(1.0 / 3.0), "0.33333");
+    EXPECT_EQ(study::table_number(std::nan("")), "-");
+    EXPECT_EQ(study::table_percent(12.345), "+12.3 %");
+    EXPECT_EQ(study::table_percent(-0.5), "-0.5 %");
+    EXPECT_EQ(study::table_percent(4e-14), "0 %");
+    EXPECT_EQ(study::table_percent(std::nan("")), "-");
+    EXPECT_EQ(study::table_difference(0.0123456), "+0.0123");
+    EXPECT_EQ(study::table_difference(0.0), "0");
+    EXPECT_EQ(study::table_difference(std::nan("")), "-");
 }
 
 } // namespace

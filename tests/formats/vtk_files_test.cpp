@@ -28,7 +28,7 @@ using ::testing::HasSubstr;
 
 const std::vector<double> awkward{0.1, -0.0, std::numeric_limits<double>::denorm_min(), 1e308};
 const std::vector<double> vectors{1, 2, 3, 4, 5, 6, 7, 8, 9, 1.0 / 3, 1e-17, 12};
-const std::vector<Field> fields{{"theta <&> \"1\"", 1, awkward}, {"velocity", 3, vectors}};
+const std::vector<formats::Field> fields{{"theta <&> \"1\"", 1, awkward}, {"velocity", 3, vectors}};
 
 bool equal_bits(const std::vector<double>& a, const std::vector<double>& b)
 {
@@ -42,15 +42,15 @@ TEST(VtkFiles, SurfaceComesBackToTheBit)
     const TemporaryFolder folder;
     TriangleMesh mesh = tetrahedron();
     mesh.vertices[1].x = 1.0 / 3.0;
-    write_surface_vtp(folder / "a.vtp", mesh.vertices, mesh.triangles, fields);
-    const SurfaceFile read = read_surface_vtp(folder / "a.vtp");
+    formats::write_surface_vtp(folder / "a.vtp", mesh.vertices, mesh.triangles, fields);
+    const formats::SurfaceFile read = formats::read_surface_vtp(folder / "a.vtp");
     EXPECT_EQ(read.mesh.vertices, mesh.vertices);
     EXPECT_EQ(read.mesh.triangles, mesh.triangles);
     ASSERT_EQ(read.fields.size(), 2u);
     EXPECT_EQ(read.fields[0].first, fields[0].name);
     EXPECT_TRUE(equal_bits(read.fields[0].second, awkward));
     EXPECT_TRUE(equal_bits(read.fields[1].second, vectors));
-    write_surface_vtp(folder / "b.vtp", mesh.vertices, mesh.triangles, fields);
+    formats::write_surface_vtp(folder / "b.vtp", mesh.vertices, mesh.triangles, fields);
     EXPECT_EQ(bytes_of(folder / "a.vtp"), bytes_of(folder / "b.vtp"));
     EXPECT_EQ(folder.file_count(), 2u);
 }
@@ -60,8 +60,8 @@ TEST(VtkFiles, ParticlesComeBackToTheBit)
     const TemporaryFolder folder;
     const std::vector<Vec3> points = tetrahedron().vertices;
     const std::vector<std::int32_t> ids{3, 1, 2, 2147483647};
-    write_particles_vtu(folder / "a.vtu", points, ids, fields);
-    const ParticleFile read = read_particles_vtu(folder / "a.vtu");
+    formats::write_particles_vtu(folder / "a.vtu", points, ids, fields);
+    const formats::ParticleFile read = formats::read_particles_vtu(folder / "a.vtu");
     EXPECT_EQ(read.points, points);
     ASSERT_EQ(read.fields.size(), 3u);
     EXPECT_EQ(read.fields[0], (std::pair<std::string, std::vector<double>>("id", {3, 1, 2, 2147483647})));
@@ -74,30 +74,30 @@ TEST(VtkFiles, ManyEqualValuesComeBack)
     const std::vector<Vec3> points(100000, Vec3{});
     const std::vector<std::int32_t> ids(points.size(), 0);
     const std::vector<double> ones(9 * points.size(), 1.0);
-    write_particles_vtu(folder / "a.vtu", points, ids, std::vector<Field>{{"growth", 9, ones}});
-    EXPECT_EQ(read_particles_vtu(folder / "a.vtu").fields[1].second, ones);
+    formats::write_particles_vtu(folder / "a.vtu", points, ids, std::vector<formats::Field>{{"growth", 9, ones}});
+    EXPECT_EQ(formats::read_particles_vtu(folder / "a.vtu").fields[1].second, ones);
 }
 
 TEST(VtkFiles, EmptyCloudsAreFiles)
 {
     const TemporaryFolder folder;
-    write_particles_vtu(folder / "a.vtu", {}, {}, {});
-    write_surface_vtp(folder / "a.vtp", {}, {}, {});
-    EXPECT_TRUE(read_particles_vtu(folder / "a.vtu").points.empty());
-    EXPECT_TRUE(read_surface_vtp(folder / "a.vtp").mesh.triangles.empty());
+    formats::write_particles_vtu(folder / "a.vtu", {}, {}, {});
+    formats::write_surface_vtp(folder / "a.vtp", {}, {}, {});
+    EXPECT_TRUE(formats::read_particles_vtu(folder / "a.vtu").points.empty());
+    EXPECT_TRUE(formats::read_surface_vtp(folder / "a.vtp").mesh.triangles.empty());
 }
 
 TEST(VtkFiles, VtkReadsThem)
 {
     const TemporaryFolder folder;
     const TriangleMesh mesh = tetrahedron();
-    write_surface_vtp(folder / "a.vtp", mesh.vertices, mesh.triangles, fields);
+    formats::write_surface_vtp(folder / "a.vtp", mesh.vertices, mesh.triangles, fields);
     vtkNew<vtkXMLPolyDataReader> surface;
     surface->SetFileName((folder / "a.vtp").c_str());
     surface->Update();
     EXPECT_EQ(surface->GetOutput()->GetNumberOfPolys(), 4);
     EXPECT_EQ(surface->GetOutput()->GetPointData()->GetNumberOfArrays(), 2);
-    write_particles_vtu(folder / "a.vtu", mesh.vertices, std::vector<std::int32_t>{0, 1, 2, 3}, fields);
+    formats::write_particles_vtu(folder / "a.vtu", mesh.vertices, std::vector<std::int32_t>{0, 1, 2, 3}, fields);
     vtkNew<vtkXMLUnstructuredGridReader> particles;
     particles->SetFileName((folder / "a.vtu").c_str());
     particles->Update();
@@ -110,28 +110,28 @@ TEST(VtkFiles, SeriesComesBack)
     const TemporaryFolder folder;
     const std::vector<std::pair<double, std::string>> frames{
         {0.0, "surface/0.vtp"}, {0.1, "a & b <1>.vtp"}, {1.0 / 3.0, "c.vtp"}};
-    write_pvd(folder / "a.pvd", frames);
-    EXPECT_EQ(read_pvd(folder / "a.pvd"), frames);
+    formats::write_pvd(folder / "a.pvd", frames);
+    EXPECT_EQ(formats::read_pvd(folder / "a.pvd"), frames);
     put_bytes(folder / "cut.pvd", bytes_of(folder / "a.pvd").substr(0, 200));
-    EXPECT_THROW(read_pvd(folder / "cut.pvd"), InputError);
+    EXPECT_THROW(formats::read_pvd(folder / "cut.pvd"), InputError);
 }
 
 TEST(VtkFiles, RefusesDamage)
 {
     const TemporaryFolder folder;
     const TriangleMesh mesh = tetrahedron();
-    write_surface_vtp(folder / "a.vtp", mesh.vertices, mesh.triangles, fields);
+    formats::write_surface_vtp(folder / "a.vtp", mesh.vertices, mesh.triangles, fields);
     const std::string bytes = bytes_of(folder / "a.vtp");
     for (const double part : {0.0, 0.3, 0.6, 0.95})
     {
         put_bytes(folder / "cut.vtp",
                   bytes.substr(0, static_cast<std::size_t>(part * static_cast<double>(bytes.size()))));
-        EXPECT_THROW(read_surface_vtp(folder / "cut.vtp"), InputError) << part;
+        EXPECT_THROW(formats::read_surface_vtp(folder / "cut.vtp"), InputError) << part;
     }
-    EXPECT_THROW(read_particles_vtu(folder / "a.vtp"), InputError);
-    EXPECT_THAT(
-        message_of<RunError>([&] { write_surface_vtp(folder / "none/a.vtp", mesh.vertices, mesh.triangles, {}); }),
-        HasSubstr("none/a.vtp: No such file"));
+    EXPECT_THROW(formats::read_particles_vtu(folder / "a.vtp"), InputError);
+    EXPECT_THAT(message_of<RunError>(
+                    [&] { formats::write_surface_vtp(folder / "none/a.vtp", mesh.vertices, mesh.triangles, {}); }),
+                HasSubstr("none/a.vtp: No such file"));
 }
 
 } // namespace corticle

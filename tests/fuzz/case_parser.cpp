@@ -108,8 +108,8 @@ void try_input(const std::string& text, const std::vector<std::string>& override
 {
     try
     {
-        const std::string resolved = to_toml(parse_case(text, "fuzz.toml", overrides, "/"));
-        if (to_toml(parse_case(resolved, "resolved.toml", {}, "/")) != resolved)
+        const std::string resolved = config::to_toml(config::parse_case(text, "fuzz.toml", overrides, "/"));
+        if (config::to_toml(config::parse_case(resolved, "resolved.toml", {}, "/")) != resolved)
         {
             throw std::logic_error("a resolved case does not read back equal");
         }
@@ -136,8 +136,10 @@ int fail(const char* reason, const std::string& text, const std::vector<std::str
 int fuzz(double seconds, std::uint64_t seed)
 {
     Random random(seed);
-    const std::string seeds[] = {starter_case(Shape::sphere), starter_case(Shape::ellipsoid), starter_case(Shape::file),
-                                 to_toml(parse_case("", "", {}, "/")), "[tissue]\nlayer = \"binary\"\nlambda = 0.75\n"};
+    const std::string seeds[] = {
+        config::starter_case(prepare::Shape::sphere), config::starter_case(prepare::Shape::ellipsoid),
+        config::starter_case(prepare::Shape::file), config::to_toml(config::parse_case("", "", {}, "/")),
+        "[tissue]\nlayer = \"binary\"\nlambda = 0.75\n"};
     const std::string settings[] = {"time.end=0.5", "output.times=[0.1, 0.2]", "geometry.file=\"a.stl\"",
                                     "geometry.semi_axes_mm=[3, 4, 5]"};
     const auto begin = Clock::now();

@@ -21,10 +21,10 @@ std::vector<NiftiSample> images()
         {
             result.push_back(plain_sample(wide, swapped));
             result.push_back(plain_sample(wide, swapped));
-            result.back().data<float>(NiftiType::float32, sample_labels());
+            result.back().data<float>(formats::NiftiType::float32, sample_labels());
             result.back().code(result.back().layout().qform_code, 1);
             result.push_back(plain_sample(wide, swapped));
-            result.back().dimensions({2, 3, 2, 2}).data<std::int64_t>(NiftiType::int64, sample_labels());
+            result.back().dimensions({2, 3, 2, 2}).data<std::int64_t>(formats::NiftiType::int64, sample_labels());
             result.back().sform({Mat3::diagonal(-1, 1, 2), {1, 2, 3}});
         }
     }
@@ -37,7 +37,7 @@ std::vector<Sample> samples()
     for (const NiftiSample& image : images())
     {
         result.emplace_back("nii", image.bytes());
-        result.emplace_back("nii", gzip(image.bytes()));
+        result.emplace_back("nii", formats::gzip(image.bytes()));
         result.emplace_back("to_pack", image.bytes());
     }
     return result;
@@ -64,11 +64,12 @@ int main(int argc, char** argv)
 {
     using namespace corticle;
     limit_memory();
-    return fuzz_reader(
-        argc > 1 ? std::atof(argv[1]) : 10.0, samples(), awkward_numbers(),
-        [](const std::string& kind, const std::string& bytes)
-        {
-            const auto volume = bytes.size() % 2 == 0 ? std::optional<std::int64_t>(bytes.size() % 3) : std::nullopt;
-            parse_nifti(kind == "to_pack" ? gzip(bytes) : bytes, "fuzz.nii", {volume, Coordinates::scanner});
-        });
+    return fuzz_reader(argc > 1 ? std::atof(argv[1]) : 10.0, samples(), awkward_numbers(),
+                       [](const std::string& kind, const std::string& bytes)
+                       {
+                           const auto volume =
+                               bytes.size() % 2 == 0 ? std::optional<std::int64_t>(bytes.size() % 3) : std::nullopt;
+                           formats::parse_nifti(kind == "to_pack" ? formats::gzip(bytes) : bytes, "fuzz.nii",
+                                                {volume, formats::Coordinates::scanner});
+                       });
 }

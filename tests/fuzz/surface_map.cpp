@@ -17,8 +17,8 @@ std::vector<Sample> samples()
     const TriangleMesh mesh = tetrahedron();
     const std::vector<double> values{0.5, -1.25, 3.0, 8.0};
     const TemporaryFolder folder;
-    write_surface_vtp(folder / "a.vtp", mesh.vertices, mesh.triangles,
-                      std::vector<Field>{{"depth", 1, values}, {"m", 1, values}});
+    formats::write_surface_vtp(folder / "a.vtp", mesh.vertices, mesh.triangles,
+                               std::vector<formats::Field>{{"depth", 1, values}, {"m", 1, values}});
     return {{"vtp", bytes_of(folder / "a.vtp")},
             {"gii", gifti_scalars({}, values)},
             {"gii", gifti_scalars({"Base64Binary", true}, values)},
@@ -42,6 +42,6 @@ int main(int argc, char** argv)
                        [](const std::string& kind, const std::string& bytes)
                        {
                            const bool is_single = kind == "thickness" || kind == "txt";
-                           parse_surface_map(bytes, kind, "fuzz." + kind, is_single ? "" : "depth", 4);
+                           formats::parse_surface_map(bytes, kind, "fuzz." + kind, is_single ? "" : "depth", 4);
                        });
 }

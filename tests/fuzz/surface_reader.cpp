@@ -17,7 +17,7 @@ std::vector<Sample> samples()
     const TriangleMesh mesh = tetrahedron();
     std::vector<Sample> result = surface_samples(mesh);
     const TemporaryFolder folder;
-    write_surface_vtp(folder / "a.vtp", mesh.vertices, mesh.triangles, {});
+    formats::write_surface_vtp(folder / "a.vtp", mesh.vertices, mesh.triangles, {});
     result.emplace_back("vtp", bytes_of(folder / "a.vtp"));
     const std::string metadata = gifti_metadata({{"VolGeomC_R", "1"}, {"VolGeomC_A", "2"}, {"VolGeomC_S", "3"}});
     result.emplace_back("gii", gifti_surface(mesh, {}, metadata));
@@ -38,5 +38,5 @@ int main(int argc, char** argv)
     return fuzz_reader(argc > 1 ? std::atof(argv[1]) : 10.0, samples(),
                        {"\"", "<", "/>", "<!--", "solid", "end_header\n", "vertex", "="},
                        [](const std::string& kind, const std::string& bytes)
-                       { parse_surface(bytes, kind, "fuzz." + kind); });
+                       { formats::parse_surface(bytes, kind, "fuzz." + kind); });
 }

@@ -86,7 +86,7 @@ bool try_input(const std::string& text)
 {
     try
     {
-        parse_sweep(text, "fuzz.toml", "/");
+        sweep::parse_sweep(text, "fuzz.toml", "/");
         return true;
     }
     catch (const InputError& error)

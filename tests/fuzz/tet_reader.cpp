@@ -40,5 +40,5 @@ int main(int argc, char** argv)
                        {"\"", "<", "/>", "<!--", "$", "$EndNodes\n", "$Nodes\n", "$Elements\n", "4.1 1 8", "2.2 1 8",
                         "Tetrahedra\n", "Vertices\n", "End", "#"},
                        [](const std::string& kind, const std::string& bytes)
-                       { require_valid_tets(parse_tets(bytes, "fuzz " + kind), "fuzz " + kind); });
+                       { geometry::require_valid_tets(formats::parse_tets(bytes, "fuzz " + kind), "fuzz " + kind); });
 }

@@ -17,12 +17,12 @@ namespace
 
 TEST(Remesh, KeepsTheShapeAndMakesEvenEdges)
 {
-    const TriangleMesh input = make_ellipsoid({1.0, 1.3, 1.6}, 0.1);
+    const TriangleMesh input = geometry::make_ellipsoid({1.0, 1.3, 1.6}, 0.1);
     for (const double edge : {0.07, 0.2})
     {
-        RemeshReport report;
-        const TriangleMesh mesh = remesh_isotropic(input, edge, &report);
-        EXPECT_NO_THROW(require_valid_surface(mesh, "remeshed"));
+        geometry::RemeshReport report;
+        const TriangleMesh mesh = geometry::remesh_isotropic(input, edge, &report);
+        EXPECT_NO_THROW(geometry::require_valid_surface(mesh, "remeshed"));
         // Chords of a curved surface: relative error about (edge / radius)² / 4.
         EXPECT_NEAR(report.area_change, 0.0, 0.25 * edge * edge + 1e-3);
         EXPECT_NEAR(report.volume_change, 0.0, 0.5 * edge * edge + 1e-3);
@@ -37,7 +37,7 @@ TEST(Remesh, KeepsTheShapeAndMakesEvenEdges)
         }
         EXPECT_GT(*std::min_element(edges.begin(), edges.end()), 0.55);
         EXPECT_LT(*std::max_element(edges.begin(), edges.end()), 1.7);
-        const SurfaceTree tree(input.vertices, input.triangles);
+        const geometry::SurfaceTree tree(input.vertices, input.triangles);
         for (const Vec3& p : mesh.vertices)
         {
             EXPECT_LT(tree.closest(p).squared_distance, 1e-24);
@@ -47,17 +47,17 @@ TEST(Remesh, KeepsTheShapeAndMakesEvenEdges)
 
 TEST(Remesh, IsRepeatable)
 {
-    const TriangleMesh input = make_ellipsoid({1.0, 1.3, 1.6}, 0.2);
-    const TriangleMesh a = remesh_isotropic(input, 0.15);
-    const TriangleMesh b = remesh_isotropic(input, 0.15);
+    const TriangleMesh input = geometry::make_ellipsoid({1.0, 1.3, 1.6}, 0.2);
+    const TriangleMesh a = geometry::remesh_isotropic(input, 0.15);
+    const TriangleMesh b = geometry::remesh_isotropic(input, 0.15);
     EXPECT_EQ(a.vertices, b.vertices);
     EXPECT_EQ(a.triangles, b.triangles);
 }
 
 TEST(Remesh, RefusesNonsense)
 {
-    EXPECT_THROW(remesh_isotropic(make_ellipsoid({1.0, 1.0, 1.0}, 0.3), 0.0), InputError);
-    EXPECT_THROW(remesh_isotropic({}, 1.0), InputError);
+    EXPECT_THROW(geometry::remesh_isotropic(geometry::make_ellipsoid({1.0, 1.0, 1.0}, 0.3), 0.0), InputError);
+    EXPECT_THROW(geometry::remesh_isotropic({}, 1.0), InputError);
 }
 
 } // namespace

@@ -29,7 +29,7 @@ constexpr double ellipsoid_volume = 4.0 / 3.0 * std::numbers::pi * 10.0 * 8.0 * 
 
 const TriangleMesh& ellipsoid()
 {
-    static const TriangleMesh mesh = make_ellipsoid({10.0, 8.0, 7.0}, 0.8);
+    static const TriangleMesh mesh = geometry::make_ellipsoid({10.0, 8.0, 7.0}, 0.8);
     return mesh;
 }
 
@@ -41,7 +41,7 @@ TriangleMesh with_holes(const TriangleMesh& surface, double share, std::uint64_t
     {
         keep.push_back(hash_uniform(seed, t) < share ? 0 : 1);
     }
-    return kept_triangles(surface, keep);
+    return geometry::kept_triangles(surface, keep);
 }
 
 TriangleMesh without_cap(const TriangleMesh& surface)
@@ -51,7 +51,7 @@ TriangleMesh without_cap(const TriangleMesh& surface)
     {
         keep.push_back(surface.vertices[static_cast<std::size_t>(t[0])].z > 5.5 ? 0 : 1);
     }
-    return kept_triangles(surface, keep);
+    return geometry::kept_triangles(surface, keep);
 }
 
 TriangleMesh inside_out(TriangleMesh surface)
@@ -88,11 +88,11 @@ TriangleMesh exploded(const TriangleMesh& surface)
     return result;
 }
 
-std::string refusal(const TriangleMesh& surface, Repair choice, const RepairOptions& options = {})
+std::string refusal(const TriangleMesh& surface, geometry::Repair choice, const geometry::RepairOptions& options = {})
 {
     try
     {
-        repair_surface(surface, "body.stl", choice, options);
+        geometry::repair_surface(surface, "body.stl", choice, options);
     }
     catch (const InputError& error)
     {
@@ -102,18 +102,18 @@ std::string refusal(const TriangleMesh& surface, Repair choice, const RepairOpti
 }
 
 /// Repaired by both means to within 1 % of the volume; returns the report of the first.
-RepairReport expect_repaired(const TriangleMesh& surface, double volume = ellipsoid_volume)
+geometry::RepairReport expect_repaired(const TriangleMesh& surface, double volume = ellipsoid_volume)
 {
-    RepairReport first;
-    for (const Repair choice : {Repair::automatic, Repair::wrap})
+    geometry::RepairReport first;
+    for (const geometry::Repair choice : {geometry::Repair::automatic, geometry::Repair::wrap})
     {
-        const RepairedSurface result = repair_surface(surface, "body.stl", choice);
-        EXPECT_NO_THROW(require_valid_surface(result.mesh, "repaired"));
+        const geometry::RepairedSurface result = geometry::repair_surface(surface, "body.stl", choice);
+        EXPECT_NO_THROW(geometry::require_valid_surface(result.mesh, "repaired"));
         EXPECT_NEAR(result.report.volume_after_mm3, volume, 0.01 * volume)
-            << (choice == Repair::wrap ? "wrap" : "automatic");
+            << (choice == geometry::Repair::wrap ? "wrap" : "automatic");
         EXPECT_EQ(result.report.volume_after_mm3, enclosed_volume(result.mesh.vertices, result.mesh.triangles));
-        EXPECT_TRUE(choice == Repair::automatic || result.report.wrapped);
-        first = choice == Repair::automatic ? result.report : first;
+        EXPECT_TRUE(choice == geometry::Repair::automatic || result.report.wrapped);
+        first = choice == geometry::Repair::automatic ? result.report : first;
     }
     return first;
 }
@@ -122,10 +122,10 @@ RepairReport expect_repaired(const TriangleMesh& surface, double volume = ellips
 
 TEST(Repair, LeavesASoundSurfaceAsItIs)
 {
-    for (const Repair choice : {Repair::automatic, Repair::none})
+    for (const geometry::Repair choice : {geometry::Repair::automatic, geometry::Repair::none})
     {
-        const RepairedSurface result = repair_surface(ellipsoid(), "body.stl", choice);
-        const TriangleMesh expected = merge_duplicates(ellipsoid());
+        const geometry::RepairedSurface result = geometry::repair_surface(ellipsoid(), "body.stl", choice);
+        const TriangleMesh expected = geometry::merge_duplicates(ellipsoid());
         EXPECT_EQ(result.mesh.vertices, expected.vertices);
         EXPECT_EQ(result.mesh.triangles, expected.triangles);
         EXPECT_THAT(result.report.lines, IsEmpty());
@@ -139,8 +139,8 @@ TEST(Repair, FillsTheHolesThatOneTriangleInAHundredLeaves)
     {
         const TriangleMesh open = with_holes(ellipsoid(), 0.01, seed);
         ASSERT_LT(open.triangles.size(), ellipsoid().triangles.size());
-        EXPECT_THAT(refusal(open, Repair::none), HasSubstr("body.stl: open surface"));
-        const RepairReport report = expect_repaired(open);
+        EXPECT_THAT(refusal(open, geometry::Repair::none), HasSubstr("body.stl: open surface"));
+        const geometry::RepairReport report = expect_repaired(open);
         EXPECT_FALSE(report.wrapped) << seed;
         EXPECT_GT(report.edges.boundary_edges, 0);
         EXPECT_THAT(report.lines, Contains(HasSubstr("filled")));
@@ -150,9 +150,9 @@ TEST(Repair, FillsTheHolesThatOneTriangleInAHundredLeaves)
 TEST(Repair, FillsALargeHoleRoundly)
 {
     const TriangleMesh open = without_cap(ellipsoid());
-    const RepairedSurface result = repair_surface(open, "body.stl", Repair::automatic);
+    const geometry::RepairedSurface result = geometry::repair_surface(open, "body.stl", geometry::Repair::automatic);
     EXPECT_FALSE(result.report.wrapped);
-    EXPECT_NO_THROW(repair_surface(open, "body.stl", Repair::wrap)); // the ball stays outside
+    EXPECT_NO_THROW(geometry::repair_surface(open, "body.stl", geometry::Repair::wrap)); // the ball stays outside
     ASSERT_EQ(result.report.edges.holes.size(), 1u);
     EXPECT_GT(result.report.edges.holes[0].length_mm, 20.0);
     // A flat lid would lose 3.5 % of the volume.
@@ -166,8 +166,8 @@ TEST(Repair, MendsWhatCrossesItself)
     {
         crossed.vertices[v] = -1.2 * crossed.vertices[v]; // through the opposite side
     }
-    EXPECT_THAT(refusal(crossed, Repair::none), HasSubstr("self-intersecting"));
-    const RepairedSurface result = repair_surface(crossed, "body.stl", Repair::automatic);
+    EXPECT_THAT(refusal(crossed, geometry::Repair::none), HasSubstr("self-intersecting"));
+    const geometry::RepairedSurface result = geometry::repair_surface(crossed, "body.stl", geometry::Repair::automatic);
     EXPECT_GT(result.report.crossing_pairs, 0);
     EXPECT_NEAR(result.report.volume_after_mm3, ellipsoid_volume, 0.01 * ellipsoid_volume);
 
@@ -176,14 +176,14 @@ TEST(Repair, MendsWhatCrossesItself)
     {
         rumpled.vertices[v] += 1.2 * normalized(Vec3{hash_uniform(1, v), hash_uniform(2, v), hash_uniform(3, v)});
     }
-    EXPECT_THAT(refusal(rumpled, Repair::none), HasSubstr("self-intersecting"));
+    EXPECT_THAT(refusal(rumpled, geometry::Repair::none), HasSubstr("self-intersecting"));
     expect_repaired(rumpled);
 }
 
 TEST(Repair, TurnsASurfaceOutward)
 {
-    EXPECT_THAT(refusal(inside_out(ellipsoid()), Repair::none), HasSubstr("inside-out"));
-    const RepairReport report = expect_repaired(inside_out(ellipsoid()));
+    EXPECT_THAT(refusal(inside_out(ellipsoid()), geometry::Repair::none), HasSubstr("inside-out"));
+    const geometry::RepairReport report = expect_repaired(inside_out(ellipsoid()));
     EXPECT_TRUE(report.inside_out);
     EXPECT_THAT(report.lines, Contains(HasSubstr("outward")));
     TriangleMesh mixed = ellipsoid();
@@ -191,20 +191,20 @@ TEST(Repair, TurnsASurfaceOutward)
     {
         std::swap(mixed.triangles[t][0], mixed.triangles[t][1]);
     }
-    EXPECT_THAT(refusal(mixed, Repair::none), HasSubstr("inconsistent orientation"));
+    EXPECT_THAT(refusal(mixed, geometry::Repair::none), HasSubstr("inconsistent orientation"));
     EXPECT_GT(expect_repaired(mixed).edges.opposed_edges, 0);
 }
 
 TEST(Repair, MergesEqualAndNearlyEqualVertices)
 {
-    EXPECT_EQ(refusal(exploded(ellipsoid()), Repair::none), "");
+    EXPECT_EQ(refusal(exploded(ellipsoid()), geometry::Repair::none), "");
     TriangleMesh rough = exploded(ellipsoid());
     for (std::size_t v = 0; v < rough.vertices.size(); ++v)
     {
         rough.vertices[v].x += 1e-6 * hash_uniform(7, v);
     }
-    EXPECT_THAT(refusal(rough, Repair::none), HasSubstr("open surface"));
-    const RepairReport report = expect_repaired(rough);
+    EXPECT_THAT(refusal(rough, geometry::Repair::none), HasSubstr("open surface"));
+    const geometry::RepairReport report = expect_repaired(rough);
     EXPECT_EQ(report.duplicate_vertices, std::ssize(rough.vertices) - std::ssize(ellipsoid().vertices));
     EXPECT_EQ(report.edges.boundary_edges, 0);
 }
@@ -214,19 +214,19 @@ TEST(Repair, DropsDoubledTriangles)
     TriangleMesh doubled = ellipsoid();
     doubled.triangles.push_back(doubled.triangles[5]);
     doubled.triangles.push_back({doubled.triangles[9][1], doubled.triangles[9][0], doubled.triangles[9][2]});
-    EXPECT_THAT(refusal(doubled, Repair::none), HasSubstr("not manifold"));
-    const RepairReport report = expect_repaired(doubled);
+    EXPECT_THAT(refusal(doubled, geometry::Repair::none), HasSubstr("not manifold"));
+    const geometry::RepairReport report = expect_repaired(doubled);
     EXPECT_EQ(report.dropped_triangles, 2);
     EXPECT_FALSE(report.wrapped);
 }
 
 TEST(Repair, KeepsTheBodyAmongShells)
 {
-    const TriangleMesh cavity = inside_out(make_ellipsoid({4.0, 3.0, 3.0}, 0.8));
-    const TriangleMesh crumb = moved(make_ellipsoid({1.0, 1.0, 1.0}, 0.5), {20.0, 0.0, 0.0});
+    const TriangleMesh cavity = inside_out(geometry::make_ellipsoid({4.0, 3.0, 3.0}, 0.8));
+    const TriangleMesh crumb = moved(geometry::make_ellipsoid({1.0, 1.0, 1.0}, 0.5), {20.0, 0.0, 0.0});
     const TriangleMesh shells = together(together(cavity, ellipsoid()), crumb);
-    EXPECT_THAT(refusal(shells, Repair::none), HasSubstr("3 components"));
-    const RepairReport report = expect_repaired(shells);
+    EXPECT_THAT(refusal(shells, geometry::Repair::none), HasSubstr("3 components"));
+    const geometry::RepairReport report = expect_repaired(shells);
     EXPECT_EQ(report.shell_volumes_mm3.size(), 3u);
     EXPECT_THAT(report.lines, Contains(HasSubstr("inner shell")));
     EXPECT_THAT(report.lines, Contains(HasSubstr("loose shells")));
@@ -235,7 +235,7 @@ TEST(Repair, KeepsTheBodyAmongShells)
 TEST(Repair, RefusesToChooseBetweenBodies)
 {
     const TriangleMesh two = together(ellipsoid(), moved(ellipsoid(), {30.0, 0.0, 0.0}));
-    for (const Repair choice : {Repair::automatic, Repair::wrap})
+    for (const geometry::Repair choice : {geometry::Repair::automatic, geometry::Repair::wrap})
     {
         const std::string message = refusal(two, choice);
         EXPECT_THAT(message, HasSubstr("body.stl: several shells"));
@@ -246,10 +246,10 @@ TEST(Repair, RefusesToChooseBetweenBodies)
 TEST(Repair, WrapsBodiesThatOverlapIntoOne)
 {
     const TriangleMesh two = together(ellipsoid(), moved(ellipsoid(), {10.0, 0.0, 0.0}));
-    EXPECT_THAT(refusal(two, Repair::automatic), HasSubstr("several shells"));
+    EXPECT_THAT(refusal(two, geometry::Repair::automatic), HasSubstr("several shells"));
     // The lens that two unit spheres share at distance 1 has the volume 5 pi / 12.
     const double both = 2.0 * ellipsoid_volume - 5.0 * std::numbers::pi / 12.0 * 10.0 * 8.0 * 7.0;
-    const RepairedSurface result = repair_surface(two, "body.stl", Repair::wrap);
+    const geometry::RepairedSurface result = geometry::repair_surface(two, "body.stl", geometry::Repair::wrap);
     EXPECT_NEAR(result.report.volume_after_mm3, both, 0.01 * both);
 }
 
@@ -257,8 +257,8 @@ TEST(Repair, WrapsWhatCannotBeMended)
 {
     TriangleMesh walled = box({0, 0, 0}, {10, 8, 6});
     walled.triangles.insert(walled.triangles.end(), {{2, 3, 5}, {2, 5, 4}}); // a wall inside, along two diagonals
-    EXPECT_THAT(refusal(walled, Repair::none), HasSubstr("not manifold: 4 edges"));
-    const RepairedSurface result = repair_surface(walled, "body.stl", Repair::automatic);
+    EXPECT_THAT(refusal(walled, geometry::Repair::none), HasSubstr("not manifold: 4 edges"));
+    const geometry::RepairedSurface result = geometry::repair_surface(walled, "body.stl", geometry::Repair::automatic);
     EXPECT_EQ(result.report.edges.crowded_edges, 4);
     EXPECT_TRUE(result.report.wrapped);
     EXPECT_THAT(result.report.lines, Contains(HasSubstr("mending was not enough")));
@@ -269,13 +269,13 @@ TEST(Repair, RefusesNumbersThatAreNotFiniteAndWrapsThatFallInside)
 {
     TriangleMesh bad = ellipsoid();
     bad.vertices[3].y = std::nan("");
-    EXPECT_THAT(refusal(bad, Repair::automatic), HasSubstr("body.stl: vertex 3 is not finite"));
+    EXPECT_THAT(refusal(bad, geometry::Repair::automatic), HasSubstr("body.stl: vertex 3 is not finite"));
     const TriangleMesh open = without_cap(ellipsoid());
-    EXPECT_THAT(refusal(open, Repair::wrap, {1.0, 0.1}), HasSubstr("through a hole"));
-    EXPECT_THAT(refusal(open, Repair::wrap, {-1.0, 0.02}), HasSubstr("alpha_mm"));
-    EXPECT_THAT(refusal(open, Repair::wrap, {1.0, 1e-9}), HasSubstr("offset_mm"));
+    EXPECT_THAT(refusal(open, geometry::Repair::wrap, {1.0, 0.1}), HasSubstr("through a hole"));
+    EXPECT_THAT(refusal(open, geometry::Repair::wrap, {-1.0, 0.02}), HasSubstr("alpha_mm"));
+    EXPECT_THAT(refusal(open, geometry::Repair::wrap, {1.0, 1e-9}), HasSubstr("offset_mm"));
     const TriangleMesh flat{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
-    for (const Repair choice : {Repair::automatic, Repair::wrap})
+    for (const geometry::Repair choice : {geometry::Repair::automatic, geometry::Repair::wrap})
     {
         EXPECT_NE(refusal(flat, choice), "");
     }
@@ -285,12 +285,12 @@ TEST(Repair, GivesTheSameBitsWithAnyNumberOfThreads)
 {
     const TriangleMesh open = with_holes(ellipsoid(), 0.01, 5);
     const int threads = thread_count();
-    for (const Repair choice : {Repair::automatic, Repair::wrap})
+    for (const geometry::Repair choice : {geometry::Repair::automatic, geometry::Repair::wrap})
     {
         set_thread_count(1);
-        const RepairedSurface one = repair_surface(open, "body.stl", choice);
+        const geometry::RepairedSurface one = geometry::repair_surface(open, "body.stl", choice);
         set_thread_count(3);
-        const RepairedSurface three = repair_surface(open, "body.stl", choice);
+        const geometry::RepairedSurface three = geometry::repair_surface(open, "body.stl", choice);
         set_thread_count(threads);
         EXPECT_EQ(one.mesh.vertices, three.mesh.vertices);
         EXPECT_EQ(one.mesh.triangles, three.mesh.triangles);
@@ -302,7 +302,7 @@ TEST(Repair, AWrapDoesNotJoinBodiesThatLieApart)
     const TriangleMesh two = together(ellipsoid(), moved(ellipsoid(), {20.5, 0.0, 0.0}));
     for (const TriangleMesh& surface : {two, with_holes(two, 0.003, 3)})
     {
-        const std::string message = refusal(surface, Repair::wrap, {2.0, 0.1});
+        const std::string message = refusal(surface, geometry::Repair::wrap, {2.0, 0.1});
         EXPECT_THAT(message, HasSubstr("2 bodies that lie apart"));
         EXPECT_THAT(message, HasSubstr("about (10."));
     }
@@ -316,14 +316,16 @@ TEST(Repair, SaysWhatAWrapSpans)
     {
         p.z -= p.z > 0.0 && std::hypot(p.x, p.y) < 1.2 ? 6.0 : 0.0;
     }
-    const RepairReport report = repair_surface(pitted, "body.stl", Repair::wrap, {2.0, 0.1}).report;
+    const geometry::RepairReport report =
+        geometry::repair_surface(pitted, "body.stl", geometry::Repair::wrap, {2.0, 0.1}).report;
     EXPECT_EQ(report.bodies_before, 1);
     EXPECT_EQ(report.genus_before, 0);
     EXPECT_EQ(report.genus_after, 0);
     EXPECT_GT(report.left_out_mm, 3.0);
     EXPECT_THAT(report.lines, Contains(HasSubstr("into 1 body: genus 0 became 0")));
     EXPECT_THAT(report.warnings, ElementsAre(HasSubstr("spans gaps narrower than 4 mm")));
-    EXPECT_THAT(repair_surface(ellipsoid(), "body.stl", Repair::wrap, {2.0, 0.1}).report.warnings, IsEmpty());
+    EXPECT_THAT(geometry::repair_surface(ellipsoid(), "body.stl", geometry::Repair::wrap, {2.0, 0.1}).report.warnings,
+                IsEmpty());
 }
 
 } // namespace corticle::test

@@ -24,19 +24,20 @@ Vec3 random_point(std::uint64_t k, double half_width)
 
 TEST(SurfaceTree, ClosestPointAgreesWithAllTriangles)
 {
-    const TriangleMesh mesh = make_ellipsoid({1.0, 1.5, 2.0}, 0.3);
-    const SurfaceTree tree(mesh.vertices, mesh.triangles);
+    const TriangleMesh mesh = geometry::make_ellipsoid({1.0, 1.5, 2.0}, 0.3);
+    const geometry::SurfaceTree tree(mesh.vertices, mesh.triangles);
     for (std::uint64_t k = 0; k < 300; ++k)
     {
         const Vec3 p = random_point(k, 3.0);
-        SurfacePoint best;
+        geometry::SurfacePoint best;
         best.squared_distance = 1e30;
         for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
         {
-            const SurfacePoint candidate = closest_point_of_triangle(mesh, static_cast<std::int32_t>(f), p);
+            const geometry::SurfacePoint candidate =
+                geometry::closest_point_of_triangle(mesh, static_cast<std::int32_t>(f), p);
             best = candidate.squared_distance < best.squared_distance ? candidate : best;
         }
-        const SurfacePoint found = tree.closest(p);
+        const geometry::SurfacePoint found = tree.closest(p);
         EXPECT_EQ(found.triangle, best.triangle);
         EXPECT_EQ(found.squared_distance, best.squared_distance);
         const Triangle& t = mesh.triangles[found.triangle];
@@ -49,7 +50,7 @@ TEST(SurfaceTree, ClosestPointAgreesWithAllTriangles)
 TEST(SurfaceTree, TiesGoToTheLowestTriangle)
 {
     const TriangleMesh box = test::box({-1, -1, -1}, {1, 1, 1});
-    const SurfaceTree tree(box.vertices, box.triangles);
+    const geometry::SurfaceTree tree(box.vertices, box.triangles);
     for (std::size_t v = 0; v < box.vertices.size(); ++v)
     {
         std::int32_t lowest = 0;
@@ -66,7 +67,7 @@ TEST(SurfaceTree, TiesGoToTheLowestTriangle)
 TEST(SurfaceTree, ClosestWithinFindsNothingBeyondItsReach)
 {
     const TriangleMesh box = test::box({-1, -1, -1}, {1, 1, 1});
-    const SurfaceTree tree(box.vertices, box.triangles);
+    const geometry::SurfaceTree tree(box.vertices, box.triangles);
     EXPECT_EQ(tree.closest_within({0.1, 0.2, 0.3}, 0.65).triangle, -1);
     EXPECT_GE(tree.closest_within({0.1, 0.2, 0.3}, 0.75).triangle, 0);
 }
@@ -74,7 +75,7 @@ TEST(SurfaceTree, ClosestWithinFindsNothingBeyondItsReach)
 TEST(SurfaceTree, SignedDistanceAndWindingOfABox)
 {
     const TriangleMesh box = test::box({-1, -1, -1}, {1, 1, 1});
-    const SurfaceTree tree(box.vertices, box.triangles);
+    const geometry::SurfaceTree tree(box.vertices, box.triangles);
     for (std::uint64_t k = 0; k < 2000; ++k)
     {
         const Vec3 p = random_point(k, 2.0);
@@ -89,13 +90,13 @@ TEST(SurfaceTree, SignedDistanceAndWindingOfABox)
 TEST(SurfaceTree, WindingNumberCountsNestedAndTurnedSurfaces)
 {
     const TriangleMesh twice = test::together(test::box({-1, -1, -1}, {1, 1, 1}), test::box({-3, -3, -3}, {3, 3, 3}));
-    EXPECT_EQ(SurfaceTree(twice.vertices, twice.triangles).winding_number({0.1, 0.2, 0.3}), 2);
+    EXPECT_EQ(geometry::SurfaceTree(twice.vertices, twice.triangles).winding_number({0.1, 0.2, 0.3}), 2);
     TriangleMesh turned = test::box({-1, -1, -1}, {1, 1, 1});
     for (Triangle& t : turned.triangles)
     {
         std::swap(t[0], t[1]);
     }
-    EXPECT_EQ(SurfaceTree(turned.vertices, turned.triangles).winding_number({0.1, 0.2, 0.3}), -1);
+    EXPECT_EQ(geometry::SurfaceTree(turned.vertices, turned.triangles).winding_number({0.1, 0.2, 0.3}), -1);
 }
 
 TEST(SurfaceTree, WindingNumberSurvivesARayThroughAVertex)
@@ -103,15 +104,15 @@ TEST(SurfaceTree, WindingNumberSurvivesARayThroughAVertex)
     // Boxes with a corner exactly on the first ray from the origin.
     const Vec3 corner{0.577312893, 0.211324871, 0.788675139};
     const TriangleMesh box = test::box({-1, -1, -1}, corner);
-    EXPECT_EQ(SurfaceTree(box.vertices, box.triangles).winding_number({}), 1);
+    EXPECT_EQ(geometry::SurfaceTree(box.vertices, box.triangles).winding_number({}), 1);
     const TriangleMesh away = test::box(corner, {2, 2, 2});
-    EXPECT_EQ(SurfaceTree(away.vertices, away.triangles).winding_number({}), 0);
+    EXPECT_EQ(geometry::SurfaceTree(away.vertices, away.triangles).winding_number({}), 0);
 }
 
 TEST(SurfaceTree, NoSegmentSlipsThroughAnEdge)
 {
-    const TriangleMesh mesh = make_ellipsoid({1.0, 1.0, 1.0}, 0.3);
-    const SurfaceTree tree(mesh.vertices, mesh.triangles);
+    const TriangleMesh mesh = geometry::make_ellipsoid({1.0, 1.0, 1.0}, 0.3);
+    const geometry::SurfaceTree tree(mesh.vertices, mesh.triangles);
     for (const Triangle& t : mesh.triangles)
     {
         for (int k = 0; k < 3; ++k)
@@ -127,8 +128,8 @@ TEST(SurfaceTree, NoSegmentSlipsThroughAnEdge)
 
 TEST(SurfaceTree, InterpolatedNormalOfASpherePointsOutward)
 {
-    const TriangleMesh mesh = make_ellipsoid({2.0, 2.0, 2.0}, 0.2);
-    const SurfaceTree tree(mesh.vertices, mesh.triangles);
+    const TriangleMesh mesh = geometry::make_ellipsoid({2.0, 2.0, 2.0}, 0.2);
+    const geometry::SurfaceTree tree(mesh.vertices, mesh.triangles);
     for (std::uint64_t k = 0; k < 200; ++k)
     {
         const Vec3 p = random_point(k, 3.0);
@@ -139,7 +140,7 @@ TEST(SurfaceTree, InterpolatedNormalOfASpherePointsOutward)
 
 TEST(SurfaceTree, EmptySurfaceHasNoClosestPoint)
 {
-    const SurfaceTree tree({}, {});
+    const geometry::SurfaceTree tree({}, {});
     EXPECT_EQ(tree.closest({1, 2, 3}).triangle, -1);
     EXPECT_FALSE(tree.segment_crosses({0, 0, 0}, {1, 1, 1}));
     EXPECT_EQ(tree.winding_number({0, 0, 0}), 0);

@@ -34,20 +34,20 @@ constexpr std::int64_t nodes = 2200;
 
 TriangleMesh ellipsoid_surface()
 {
-    return make_ellipsoid({12.0, 10.0, 8.0}, 1.3);
+    return geometry::make_ellipsoid({12.0, 10.0, 8.0}, 1.3);
 }
 
 TEST(Tetrahedralize, FillsTheSurfaceAndKeepsItsVertices)
 {
     const TriangleMesh surface = ellipsoid_surface();
-    const TetMesh mesh = tetrahedralize(surface, nodes);
+    const TetMesh mesh = geometry::tetrahedralize(surface, nodes);
     EXPECT_TRUE(std::equal(surface.vertices.begin(), surface.vertices.end(), mesh.vertices.begin()));
     EXPECT_NEAR(mesh_volume(mesh) / enclosed_volume(surface.vertices, surface.triangles), 1.0, 1e-12);
     const TetBoundary boundary = boundary_of(mesh);
     EXPECT_EQ(boundary.surface.vertices, surface.vertices);
     EXPECT_EQ(boundary.surface.triangles.size(), surface.triangles.size());
-    TetReport report;
-    EXPECT_EQ(require_valid_tets(mesh, "mesh", &report).tets.size(), mesh.tets.size());
+    geometry::TetReport report;
+    EXPECT_EQ(geometry::require_valid_tets(mesh, "mesh", &report).tets.size(), mesh.tets.size());
     EXPECT_TRUE(report.lines.empty()) << report.lines[0];
     EXPECT_NEAR(static_cast<double>(mesh.vertices.size()) / nodes, 1.0, 0.05);
     EXPECT_GT(report.smallest_mean_ratio, 0.3);
@@ -57,9 +57,9 @@ TEST(Tetrahedralize, GivesTheSameForAnyNumberOfThreads)
 {
     const int threads = thread_count();
     set_thread_count(1);
-    const TetMesh one = tetrahedralize(ellipsoid_surface(), nodes);
+    const TetMesh one = geometry::tetrahedralize(ellipsoid_surface(), nodes);
     set_thread_count(2);
-    const TetMesh two = tetrahedralize(ellipsoid_surface(), nodes);
+    const TetMesh two = geometry::tetrahedralize(ellipsoid_surface(), nodes);
     EXPECT_EQ(thread_count(), 2); // as it was
     set_thread_count(threads);
     EXPECT_EQ(one.vertices, two.vertices);
@@ -82,11 +82,11 @@ std::vector<std::unique_ptr<char[]>> litter_the_heap(unsigned seed)
 
 TEST(Tetrahedralize, GivesTheSameWhateverTheHeapHolds)
 {
-    const TetMesh clean = tetrahedralize(ellipsoid_surface(), nodes);
+    const TetMesh clean = geometry::tetrahedralize(ellipsoid_surface(), nodes);
     for (const unsigned seed : {1U, 2U, 3U})
     {
         const auto litter = litter_the_heap(seed);
-        const TetMesh again = tetrahedralize(ellipsoid_surface(), nodes);
+        const TetMesh again = geometry::tetrahedralize(ellipsoid_surface(), nodes);
         EXPECT_EQ(clean.vertices, again.vertices) << seed;
         EXPECT_EQ(clean.tets, again.tets) << seed;
     }
@@ -99,7 +99,7 @@ TEST(Tetrahedralize, ASurfaceThatCrossesItselfIsRefused)
     {
         v.x = v.x > 5.0 ? v.x - 20.0 : v.x;
     }
-    EXPECT_THROW(tetrahedralize(surface, nodes), InputError);
+    EXPECT_THROW(geometry::tetrahedralize(surface, nodes), InputError);
 }
 
 /// While it lives, a shell script meshes in place of the program.
@@ -130,7 +130,7 @@ std::string failure(const std::string& script)
     const OtherProgram other(script);
     try
     {
-        tetrahedralize(ellipsoid_surface(), nodes);
+        geometry::tetrahedralize(ellipsoid_surface(), nodes);
     }
     catch (const RunError& error)
     {
@@ -150,7 +150,7 @@ TEST(Tetrahedralize, AProgramThatIsMissingOrFailsIsNamed)
     EXPECT_THAT(failure("echo lost >&2; exit 127"), HasSubstr("exit status 127, lost"));
     EXPECT_THAT(failure("exit 1"), StartsWith("input: surface of"));
     const OtherProgram other("exit 2");
-    EXPECT_THROW(tetrahedralize(ellipsoid_surface(), nodes), std::bad_alloc);
+    EXPECT_THROW(geometry::tetrahedralize(ellipsoid_surface(), nodes), std::bad_alloc);
 }
 
 TEST(Tetrahedralize, OutputThatIsNoMeshIsRefused)
@@ -170,7 +170,7 @@ TEST(Tetrahedralize, OutputThatIsNoMeshIsRefused)
 TEST(Tetrahedralize, WorksWhereSigchldIsIgnored)
 {
     std::signal(SIGCHLD, SIG_IGN);
-    EXPECT_FALSE(tetrahedralize(ellipsoid_surface(), nodes).tets.empty());
+    EXPECT_FALSE(geometry::tetrahedralize(ellipsoid_surface(), nodes).tets.empty());
     EXPECT_THAT(failure("kill -SEGV $$"), HasSubstr("ended by signal 11"));
     EXPECT_EQ(std::signal(SIGCHLD, SIG_DFL), SIG_IGN);
 }
@@ -184,10 +184,10 @@ TEST(Tetrahedralize, MeetsTheNumberOfTetsAskedFor)
     for (const std::int64_t tets : {5000, 50000})
     {
         const double tolerance = tets > 20000 ? 0.03 : 0.08; // a coarse surface has less volume than its sphere
-        const std::int64_t count = nodes_for_tets(tets, volume, area, edge_per_spacing);
+        const std::int64_t count = geometry::nodes_for_tets(tets, volume, area, edge_per_spacing);
         const double spacing = std::cbrt(volume / static_cast<double>(count));
-        const TetMesh mesh =
-            tetrahedralize(make_ellipsoid({radius, radius, radius}, edge_per_spacing * spacing), count);
+        const TetMesh mesh = geometry::tetrahedralize(
+            geometry::make_ellipsoid({radius, radius, radius}, edge_per_spacing * spacing), count);
         EXPECT_NEAR(static_cast<double>(mesh.tets.size()) / static_cast<double>(tets), 1.0, tolerance) << tets;
         EXPECT_NEAR(static_cast<double>(mesh.vertices.size()) / static_cast<double>(count), 1.0, tolerance) << tets;
     }

@@ -24,7 +24,7 @@ std::string complaint(const TriangleMesh& surface)
 {
     try
     {
-        require_valid_surface(surface, "s.stl");
+        geometry::require_valid_surface(surface, "s.stl");
     }
     catch (const InputError& error)
     {
@@ -99,7 +99,7 @@ TEST(ValidSurface, NamesWhatIsWrong)
 TEST(ValidSurface, TwoBoxesThatShareAVertexAreNotManifold)
 {
     TriangleMesh mesh = test::together(unit_box(), test::box({1, 1, 1}, {2, 2, 2}));
-    EXPECT_THAT(complaint(merge_duplicates(mesh)), HasSubstr("not manifold: vertex 7 joins"));
+    EXPECT_THAT(complaint(geometry::merge_duplicates(mesh)), HasSubstr("not manifold: vertex 7 joins"));
 }
 
 TEST(ValidSurface, GarbageGivesAComplaintAndNoCrash)
@@ -117,7 +117,7 @@ TEST(ValidSurface, GarbageGivesAComplaintAndNoCrash)
         EXPECT_NO_FATAL_FAILURE({
             try
             {
-                complaint(merge_duplicates(mesh));
+                complaint(geometry::merge_duplicates(mesh));
             }
             catch (const InputError&)
             {
@@ -139,7 +139,7 @@ TEST(MergeDuplicates, MakesABoxOfLooseTriangles)
     loose.vertices.push_back({5, 5, 5});  // unused
     loose.triangles.push_back({0, 0, 1}); // collapsed
     EXPECT_THAT(complaint(loose), Not(""));
-    const TriangleMesh merged = merge_duplicates(loose);
+    const TriangleMesh merged = geometry::merge_duplicates(loose);
     EXPECT_EQ(merged.vertices.size(), 8u);
     EXPECT_EQ(merged.triangles.size(), 12u);
     EXPECT_EQ(complaint(merged), "");

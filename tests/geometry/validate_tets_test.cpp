@@ -30,7 +30,7 @@ std::string refusal(const TetMesh& mesh)
 {
     try
     {
-        require_valid_tets(mesh, "body.msh");
+        geometry::require_valid_tets(mesh, "body.msh");
     }
     catch (const InputError& error)
     {
@@ -58,8 +58,8 @@ TEST(ValidateTets, GoodMeshesPassUnchanged)
 {
     for (const TetMesh& mesh : {box, tet_ball(6, 10.0)})
     {
-        TetReport report;
-        const TetMesh result = require_valid_tets(mesh, "body", &report);
+        geometry::TetReport report;
+        const TetMesh result = geometry::require_valid_tets(mesh, "body", &report);
         EXPECT_EQ(result.vertices, mesh.vertices);
         EXPECT_EQ(result.tets, mesh.tets);
         EXPECT_THAT(report.lines, IsEmpty());
@@ -74,8 +74,8 @@ TEST(ValidateTets, LeftHandedMeshIsFlipped)
     {
         std::swap(tet[0], tet[1]);
     }
-    TetReport report;
-    const TetMesh result = require_valid_tets(left, "body", &report);
+    geometry::TetReport report;
+    const TetMesh result = geometry::require_valid_tets(left, "body", &report);
     EXPECT_NEAR(mesh_volume(result), 27.0, 1e-12);
     EXPECT_TRUE(report.is_left_handed);
     EXPECT_THAT(report.lines, ElementsAre("all 162 tets are left-handed: flipped"));
@@ -86,8 +86,8 @@ TEST(ValidateTets, SomeLeftHandedTetsAreFlipped)
     TetMesh mixed = box;
     std::swap(mixed.tets[7][0], mixed.tets[7][3]);
     std::swap(mixed.tets[70][1], mixed.tets[70][2]);
-    TetReport report;
-    EXPECT_NEAR(mesh_volume(require_valid_tets(mixed, "body", &report)), 27.0, 1e-12);
+    geometry::TetReport report;
+    EXPECT_NEAR(mesh_volume(geometry::require_valid_tets(mixed, "body", &report)), 27.0, 1e-12);
     EXPECT_FALSE(report.is_left_handed);
     EXPECT_THAT(report.lines, ElementsAre("2 of 162 tets are left-handed: flipped"));
 }
@@ -101,8 +101,8 @@ TEST(ValidateTets, OrphansRepeatsAndDuplicatesAreCleanedUp)
         tet = {tet[0] + 1, tet[1] + 1, tet[2] + 1, tet[3] + 1};
     }
     dirty.tets.push_back({dirty.tets[3][1], dirty.tets[3][0], dirty.tets[3][3], dirty.tets[3][2]});
-    TetReport report;
-    const TetMesh clean = require_valid_tets(dirty, "body", &report);
+    geometry::TetReport report;
+    const TetMesh clean = geometry::require_valid_tets(dirty, "body", &report);
     EXPECT_EQ(clean.vertices.size(), 2u * 27u - 9u);
     EXPECT_EQ(clean.tets.size(), 96u);
     EXPECT_NEAR(mesh_volume(clean), 2.0, 1e-12);
@@ -116,8 +116,8 @@ TEST(ValidateTets, FlatTetsOnTheBoundaryAreDropped)
     TetMesh mesh = box;
     // A tet laid on the four corners of a square of the face x = 0.
     mesh.tets.push_back({0, 1, 4, 5});
-    TetReport report;
-    const TetMesh result = require_valid_tets(mesh, "body", &report);
+    geometry::TetReport report;
+    const TetMesh result = geometry::require_valid_tets(mesh, "body", &report);
     EXPECT_EQ(result.tets, box.tets);
     EXPECT_THAT(report.lines, ElementsAre("1 tets are flat: dropped"));
 }
@@ -149,8 +149,8 @@ TEST(ValidateTets, NamesSliversThatItKeeps)
 {
     TetMesh mesh = box;
     mesh.vertices[1 * 16 + 1 * 4 + 1] = {1e-3, 1, 1}; // an inner node close to the face x = 0
-    TetReport report;
-    require_valid_tets(mesh, "body", &report);
+    geometry::TetReport report;
+    geometry::require_valid_tets(mesh, "body", &report);
     EXPECT_GT(report.sliver_tets, 0);
     EXPECT_THAT(report.lines, ElementsAre(HasSubstr("tets are slivers")));
 }

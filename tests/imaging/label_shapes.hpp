@@ -19,10 +19,10 @@ inline Mat3 skew_rotation(double angle)
 
 /// An image of voxels with the given edges (their directions are the columns of `axes`) about a centre [mm] that
 /// reaches `reach` [mm] along each axis, labelled by a function of the place relative to the centre.
-inline LabelVolume label_image(const Mat3& axes, const Vec3& edges, const Vec3& centre, double reach,
-                               const std::function<std::int32_t(const Vec3&)>& label)
+inline imaging::LabelVolume label_image(const Mat3& axes, const Vec3& edges, const Vec3& centre, double reach,
+                                        const std::function<std::int32_t(const Vec3&)>& label)
 {
-    LabelVolume image;
+    imaging::LabelVolume image;
     image.frame.linear = axes * Mat3::diagonal(edges.x, edges.y, edges.z);
     Vec3 middle;
     for (int axis = 0; axis < 3; ++axis)

@@ -16,10 +16,11 @@ namespace corticle
 namespace
 {
 
-MaskOptions body_options()
+imaging::MaskOptions body_options()
 {
-    MaskOptions options;
-    options.labels = {phantom_label::cortex, phantom_label::white, phantom_label::ventricle, phantom_label::deep};
+    imaging::MaskOptions options;
+    options.labels = {imaging::phantom_label::cortex, imaging::phantom_label::white, imaging::phantom_label::ventricle,
+                      imaging::phantom_label::deep};
     return options;
 }
 
@@ -27,13 +28,13 @@ MaskOptions body_options()
 
 TEST(Phantom, IsAValidBrainOf23Weeks)
 {
-    const ImagedSurface result = surface_from_labels(make_brain_phantom({}), body_options());
-    require_valid_surface(result.surface, "phantom");
+    const imaging::ImagedSurface result = imaging::surface_from_labels(imaging::make_brain_phantom({}), body_options());
+    geometry::require_valid_surface(result.surface, "phantom");
     EXPECT_EQ(result.report.genus_before, 0);
     EXPECT_TRUE(result.report.warnings.empty());
     EXPECT_NEAR(result.report.surface_volume_mm3, 64000.0, 1500.0);
     EXPECT_NEAR(result.report.extent_mm.y, 64.0, 0.8); // a voxel
-    const SurfaceTree tree(result.surface.vertices, result.surface.triangles);
+    const geometry::SurfaceTree tree(result.surface.vertices, result.surface.triangles);
     EXPECT_EQ(tree.winding_number({0.01, 0.02, 0.03}), 1); // the bridge in the depth
     EXPECT_EQ(tree.winding_number({0.01, 20.0, 5.0}), 0);  // the fissure
     EXPECT_EQ(tree.winding_number({0.01, -22.0, 5.0}), 0);
@@ -44,7 +45,7 @@ TEST(Phantom, IsAValidBrainOf23Weeks)
 
 TEST(Phantom, IsSymmetricAndHasAllTissues)
 {
-    const LabelVolume image = make_brain_phantom({32.0, 1.0});
+    const imaging::LabelVolume image = imaging::make_brain_phantom({32.0, 1.0});
     for (const std::int32_t label : {0, 1, 2, 3, 5, 7})
     {
         EXPECT_GT(std::count(image.labels.begin(), image.labels.end(), label), 50) << label;
@@ -58,9 +59,9 @@ TEST(Phantom, IsSymmetricAndHasAllTissues)
 
 TEST(Phantom, RefusesAbsurdSizes)
 {
-    EXPECT_THROW(make_brain_phantom({0.0, 0.8}), InputError);
-    EXPECT_THROW(make_brain_phantom({64.0, -1.0}), InputError);
-    EXPECT_THROW(make_brain_phantom({64.0, 0.001}), InputError);
+    EXPECT_THROW(imaging::make_brain_phantom({0.0, 0.8}), InputError);
+    EXPECT_THROW(imaging::make_brain_phantom({64.0, -1.0}), InputError);
+    EXPECT_THROW(imaging::make_brain_phantom({64.0, 0.001}), InputError);
 }
 
 } // namespace corticle

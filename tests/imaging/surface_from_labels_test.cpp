@@ -31,7 +31,7 @@ std::int32_t in_ellipsoid(const Vec3& p)
     return ellipsoid(p, semi_axes) < 1.0 ? 3 : 0;
 }
 
-LabelVolume plain_image(const std::function<std::int32_t(const Vec3&)>& label)
+imaging::LabelVolume plain_image(const std::function<std::int32_t(const Vec3&)>& label)
 {
     return label_image(Mat3::identity(), {0.8, 0.8, 0.8}, centre, 17.0, label);
 }
@@ -59,10 +59,10 @@ std::int64_t genus(const TriangleMesh& mesh)
     return (2 - (static_cast<std::int64_t>(mesh.vertices.size()) - faces / 2)) / 2;
 }
 
-const MaskStep& step_of(const MaskReport& report, const std::string& name)
+const imaging::MaskStep& step_of(const imaging::MaskReport& report, const std::string& name)
 {
     const auto step = std::find_if(report.steps.begin(), report.steps.end(),
-                                   [&](const MaskStep& candidate) { return candidate.name == name; });
+                                   [&](const imaging::MaskStep& candidate) { return candidate.name == name; });
     EXPECT_NE(step, report.steps.end()) << name;
     return *step;
 }
@@ -79,9 +79,9 @@ class EllipsoidImage : public ::testing::TestWithParam<FrameCase>
 };
 
 /// Fine detail kept: handles, cavities and parts of a millimetre or two must not be closed away beforehand.
-MaskOptions sharp_options()
+imaging::MaskOptions sharp_options()
 {
-    MaskOptions options;
+    imaging::MaskOptions options;
     options.closing_mm = 0.0;
     options.smoothing_mm = 0.6;
     return options;
@@ -99,9 +99,9 @@ std::int32_t with_handle(const Vec3& p)
 TEST_P(EllipsoidImage, KeepsVolumeAndPlace)
 {
     const FrameCase& frame = GetParam();
-    const LabelVolume image = label_image(frame.axes, frame.edges, centre, 15.0, in_ellipsoid);
-    const ImagedSurface result = surface_from_labels(image, {});
-    require_valid_surface(result.surface, frame.name); // outward, so for left-handed frames too
+    const imaging::LabelVolume image = label_image(frame.axes, frame.edges, centre, 15.0, in_ellipsoid);
+    const imaging::ImagedSurface result = imaging::surface_from_labels(image, {});
+    geometry::require_valid_surface(result.surface, frame.name); // outward, so for left-handed frames too
     EXPECT_EQ(genus(result.surface), 0);
     const double volume = enclosed_volume(result.surface.vertices, result.surface.triangles);
     EXPECT_NEAR(volume / exact_volume, 1.0, 0.01);
@@ -125,7 +125,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(SurfaceFromLabels, IsAsSmoothAsTheEllipsoid)
 {
-    const ImagedSurface result = surface_from_labels(plain_image(in_ellipsoid), {});
+    const imaging::ImagedSurface result = imaging::surface_from_labels(plain_image(in_ellipsoid), {});
     double largest = 0.0;
     double squares = 0.0;
     for (const Vec3& p : result.surface.vertices)
@@ -143,13 +143,13 @@ TEST(SurfaceFromLabels, IsAsSmoothAsTheEllipsoid)
 
 TEST(SurfaceFromLabels, CutsAHandle)
 {
-    const ImagedSurface result = surface_from_labels(plain_image(with_handle), sharp_options());
-    require_valid_surface(result.surface, "cut");
+    const imaging::ImagedSurface result = imaging::surface_from_labels(plain_image(with_handle), sharp_options());
+    geometry::require_valid_surface(result.surface, "cut");
     EXPECT_EQ(result.report.genus_before, 1);
     EXPECT_EQ(result.report.genus, 0);
     EXPECT_EQ(genus(result.surface), 0);
     ASSERT_EQ(result.report.handles.size(), 1U);
-    const HandleChange& change = result.report.handles[0];
+    const imaging::HandleChange& change = result.report.handles[0];
     EXPECT_FALSE(change.filled);
     EXPECT_GT(change.place.x, centre.x + 12.0); // on the part of the ring that stands out
     EXPECT_LT(norm(change.place - centre), 19.0);
@@ -159,10 +159,10 @@ TEST(SurfaceFromLabels, CutsAHandle)
 
 TEST(SurfaceFromLabels, KeepsAHandleWhenAsked)
 {
-    MaskOptions options = sharp_options();
+    imaging::MaskOptions options = sharp_options();
     options.remove_handles = false;
-    const ImagedSurface result = surface_from_labels(plain_image(with_handle), options);
-    require_valid_surface(result.surface, "handle");
+    const imaging::ImagedSurface result = imaging::surface_from_labels(plain_image(with_handle), options);
+    geometry::require_valid_surface(result.surface, "handle");
     EXPECT_EQ(result.report.genus_before, 1);
     EXPECT_EQ(result.report.genus, 1);
     EXPECT_EQ(genus(result.surface), 1);
@@ -172,8 +172,8 @@ TEST(SurfaceFromLabels, KeepsAHandleWhenAsked)
 TEST(SurfaceFromLabels, FillsANarrowTunnel)
 {
     const auto drilled = [](const Vec3& p) { return std::hypot(p.x, p.y) < 1.2 ? 0 : in_ellipsoid(p); };
-    const ImagedSurface result = surface_from_labels(plain_image(drilled), sharp_options());
-    require_valid_surface(result.surface, "tunnel");
+    const imaging::ImagedSurface result = imaging::surface_from_labels(plain_image(drilled), sharp_options());
+    geometry::require_valid_surface(result.surface, "tunnel");
     EXPECT_EQ(result.report.genus_before, 1);
     EXPECT_EQ(genus(result.surface), 0);
     ASSERT_EQ(result.report.handles.size(), 1U);
@@ -186,7 +186,7 @@ TEST(SurfaceFromLabels, FillsANarrowTunnel)
 TEST(SurfaceFromLabels, ClosingClosesTheTunnelToo)
 {
     const auto drilled = [](const Vec3& p) { return std::hypot(p.x, p.y) < 1.2 ? 0 : in_ellipsoid(p); };
-    const ImagedSurface result = surface_from_labels(plain_image(drilled), {});
+    const imaging::ImagedSurface result = imaging::surface_from_labels(plain_image(drilled), {});
     EXPECT_EQ(result.report.genus_before, 0);
     EXPECT_GT(step_of(result.report, "closing").added, 50);
     EXPECT_NEAR(result.report.surface_volume_mm3 / exact_volume, 1.0, 0.01);
@@ -199,10 +199,10 @@ TEST(SurfaceFromLabels, FillsACavityAndDropsAnIsland)
         const bool island = norm(p - Vec3{13.0, 13.0, 13.0}) < 2.0;
         return norm(p) < 3.0 ? 5 : (island ? 3 : in_ellipsoid(p));
     };
-    MaskOptions options = sharp_options();
+    imaging::MaskOptions options = sharp_options();
     options.labels = {3};
-    const ImagedSurface result = surface_from_labels(plain_image(label), options);
-    require_valid_surface(result.surface, "filled");
+    const imaging::ImagedSurface result = imaging::surface_from_labels(plain_image(label), options);
+    geometry::require_valid_surface(result.surface, "filled");
     EXPECT_NEAR(step_of(result.report, "cavities").added_mm3, 4.0 / 3.0 * std::numbers::pi * 27.0, 6.0);
     EXPECT_NEAR(step_of(result.report, "largest component").removed_mm3, 4.0 / 3.0 * std::numbers::pi * 8.0, 4.0);
     ASSERT_EQ(result.report.warnings.size(), 1U);
@@ -212,9 +212,9 @@ TEST(SurfaceFromLabels, FillsACavityAndDropsAnIsland)
 
 TEST(SurfaceFromLabels, WarnsOfAMaskAtTheBorder)
 {
-    const LabelVolume image = label_image(Mat3::identity(), {0.8, 0.8, 0.8}, centre, 9.0, in_ellipsoid);
-    const ImagedSurface result = surface_from_labels(image, {});
-    require_valid_surface(result.surface, "cut off");
+    const imaging::LabelVolume image = label_image(Mat3::identity(), {0.8, 0.8, 0.8}, centre, 9.0, in_ellipsoid);
+    const imaging::ImagedSurface result = imaging::surface_from_labels(image, {});
+    geometry::require_valid_surface(result.surface, "cut off");
     ASSERT_EQ(result.report.warnings.size(), 1U);
     EXPECT_THAT(result.report.warnings[0], HasSubstr("touches the border"));
     EXPECT_LT(result.report.surface_volume_mm3, 0.97 * exact_volume);
@@ -231,17 +231,17 @@ TEST(SurfaceFromLabels, CutsOffAHemisphereOfATiltedBody)
         const Vec3 q{dot(right, d), dot(cross({0, 0, 1}, right), d), d.z};
         return ellipsoid(q, {8.0, 12.0, 9.0}) < 1.0 ? 2 : 0;
     };
-    const LabelVolume image = plain_image(lobes);
-    MaskOptions options;
-    const double whole = surface_from_labels(image, options).report.surface_volume_mm3;
-    for (const Hemisphere side : {Hemisphere::left, Hemisphere::right})
+    const imaging::LabelVolume image = plain_image(lobes);
+    imaging::MaskOptions options;
+    const double whole = imaging::surface_from_labels(image, options).report.surface_volume_mm3;
+    for (const imaging::Hemisphere side : {imaging::Hemisphere::left, imaging::Hemisphere::right})
     {
         options.hemisphere = side;
-        const ImagedSurface result = surface_from_labels(image, options);
-        require_valid_surface(result.surface, name_of(side));
-        EXPECT_NEAR(result.report.surface_volume_mm3 / whole, 0.5, 0.005) << name_of(side);
+        const imaging::ImagedSurface result = imaging::surface_from_labels(image, options);
+        geometry::require_valid_surface(result.surface, imaging::name_of(side));
+        EXPECT_NEAR(result.report.surface_volume_mm3 / whole, 0.5, 0.005) << imaging::name_of(side);
         const double height = dot(right, enclosed_centroid(result.surface) - centre);
-        EXPECT_NEAR(height, side == Hemisphere::right ? 6.2 : -6.2, 0.5);
+        EXPECT_NEAR(height, side == imaging::Hemisphere::right ? 6.2 : -6.2, 0.5);
         for (const Vec3& p : result.surface.vertices)
         {
             EXPECT_GT(std::copysign(1.0, height) * dot(right, p - centre), -0.5); // half a voxel
@@ -251,10 +251,10 @@ TEST(SurfaceFromLabels, CutsOffAHemisphereOfATiltedBody)
 
 TEST(SurfaceFromLabels, RefusesWhatGivesNoBody)
 {
-    const LabelVolume image = plain_image(in_ellipsoid);
-    const auto refusal = [&](const MaskOptions& options)
-    { return message_of<InputError>([&] { surface_from_labels(image, options); }); };
-    MaskOptions options;
+    const imaging::LabelVolume image = plain_image(in_ellipsoid);
+    const auto refusal = [&](const imaging::MaskOptions& options)
+    { return message_of<InputError>([&] { imaging::surface_from_labels(image, options); }); };
+    imaging::MaskOptions options;
     options.labels = {3, 9};
     EXPECT_THAT(refusal(options), HasSubstr("no voxel has label 9; there are 0 ("));
     EXPECT_THAT(
@@ -266,24 +266,25 @@ TEST(SurfaceFromLabels, RefusesWhatGivesNoBody)
     options = {};
     options.smoothing_mm = std::nan("");
     EXPECT_THAT(refusal(options), HasSubstr("smoothing_mm = nan"));
-    const LabelVolume empty = plain_image([](const Vec3&) { return 0; });
-    EXPECT_THAT(message_of<InputError>([&] { surface_from_labels(empty, {}); }),
+    const imaging::LabelVolume empty = plain_image([](const Vec3&) { return 0; });
+    EXPECT_THAT(message_of<InputError>([&] { imaging::surface_from_labels(empty, {}); }),
                 HasSubstr("every voxel is background"));
-    LabelVolume speck = plain_image([](const Vec3&) { return 0; });
+    imaging::LabelVolume speck = plain_image([](const Vec3&) { return 0; });
     speck.labels[speck.labels.size() / 2] = 1;
-    MaskOptions wide;
+    imaging::MaskOptions wide;
     wide.smoothing_mm = 5.0;
-    EXPECT_THAT(message_of<InputError>([&] { surface_from_labels(speck, wide); }), HasSubstr("nothing is left"));
+    EXPECT_THAT(message_of<InputError>([&] { imaging::surface_from_labels(speck, wide); }),
+                HasSubstr("nothing is left"));
 }
 
 TEST(SurfaceFromLabels, DoesNotDependOnThreads)
 {
-    const LabelVolume image = plain_image(with_handle);
+    const imaging::LabelVolume image = plain_image(with_handle);
     const int threads = thread_count();
     set_thread_count(1);
-    const ImagedSurface one = surface_from_labels(image, sharp_options());
+    const imaging::ImagedSurface one = imaging::surface_from_labels(image, sharp_options());
     set_thread_count(3);
-    const ImagedSurface three = surface_from_labels(image, sharp_options());
+    const imaging::ImagedSurface three = imaging::surface_from_labels(image, sharp_options());
     set_thread_count(threads);
     EXPECT_EQ(one.surface.vertices, three.surface.vertices);
     EXPECT_EQ(one.surface.triangles, three.surface.triangles);
@@ -302,29 +303,29 @@ std::int32_t two_hemispheres(const Vec3& p)
 
 constexpr double hemisphere_volume = 4.0 / 3.0 * std::numbers::pi * 5.5 * 10.0 * 8.0;
 
-LabelVolume image_about(const Vec3& place, const std::function<std::int32_t(const Vec3&)>& label)
+imaging::LabelVolume image_about(const Vec3& place, const std::function<std::int32_t(const Vec3&)>& label)
 {
     return label_image(Mat3::identity(), {1.2, 1.2, 1.2}, place, 17.0, label);
 }
 
-std::string refusal_of(const LabelVolume& image, const MaskOptions& options)
+std::string refusal_of(const imaging::LabelVolume& image, const imaging::MaskOptions& options)
 {
-    return message_of<InputError>([&] { surface_from_labels(image, options); });
+    return message_of<InputError>([&] { imaging::surface_from_labels(image, options); });
 }
 
 } // namespace
 
 TEST(SurfaceFromLabels, TakesOneOfTwoHemispheresThatDoNotTouch)
 {
-    const LabelVolume image = image_about(centre, two_hemispheres);
-    for (const Hemisphere side : {Hemisphere::left, Hemisphere::right})
+    const imaging::LabelVolume image = image_about(centre, two_hemispheres);
+    for (const imaging::Hemisphere side : {imaging::Hemisphere::left, imaging::Hemisphere::right})
     {
-        MaskOptions options;
+        imaging::MaskOptions options;
         options.hemisphere = side;
-        const ImagedSurface result = surface_from_labels(image, options);
-        EXPECT_NEAR(result.report.surface_volume_mm3 / hemisphere_volume, 1.0, 0.02) << name_of(side);
+        const imaging::ImagedSurface result = imaging::surface_from_labels(image, options);
+        EXPECT_NEAR(result.report.surface_volume_mm3 / hemisphere_volume, 1.0, 0.02) << imaging::name_of(side);
         const double x = enclosed_centroid(result.surface).x - centre.x;
-        EXPECT_NEAR(x, side == Hemisphere::right ? 8.0 : -8.0, 0.3);
+        EXPECT_NEAR(x, side == imaging::Hemisphere::right ? 8.0 : -8.0, 0.3);
     }
     const std::string both = refusal_of(image, {});
     EXPECT_THAT(both, HasSubstr("the labels form 2 components"));
@@ -334,22 +335,23 @@ TEST(SurfaceFromLabels, TakesOneOfTwoHemispheresThatDoNotTouch)
 TEST(SurfaceFromLabels, AHemisphereIsNotTakenOfOneHemisphere)
 {
     const auto right = [](const Vec3& p) { return two_hemispheres(p) == 41 ? 41 : 0; };
-    MaskOptions options;
-    for (const Hemisphere side : {Hemisphere::left, Hemisphere::right})
+    imaging::MaskOptions options;
+    for (const imaging::Hemisphere side : {imaging::Hemisphere::left, imaging::Hemisphere::right})
     {
         options.hemisphere = side;
         EXPECT_THAT(refusal_of(image_about({}, right), options), HasSubstr("one hemisphere already"));
     }
     // Both of them, in an image whose origin lies elsewhere.
-    const auto warned = surface_from_labels(image_about({60.0, 0.0, 0.0}, two_hemispheres), options).report.warnings;
+    const auto warned =
+        imaging::surface_from_labels(image_about({60.0, 0.0, 0.0}, two_hemispheres), options).report.warnings;
     ASSERT_EQ(warned.size(), 1U);
     EXPECT_THAT(warned[0], HasSubstr("not between the hemispheres"));
 }
 
 TEST(SurfaceFromLabels, RefusesAMaskThatFallsApart)
 {
-    const LabelVolume image = plain_image(in_ellipsoid);
-    LabelVolume board = image;
+    const imaging::LabelVolume image = plain_image(in_ellipsoid);
+    imaging::LabelVolume board = image;
     for (std::size_t k = 0; k < board.labels.size(); ++k)
     {
         const auto at = static_cast<std::int64_t>(k);
@@ -369,7 +371,7 @@ TEST(SurfaceFromLabels, RefusesAMaskWithoutBackground)
     const auto filled = [](const Vec3& p) { return in_ellipsoid(p) != 0 ? 1 : 4; };
     EXPECT_THAT(refusal_of(plain_image(filled), {}), HasSubstr("100 % of the voxels on its border have a label"));
     EXPECT_THAT(refusal_of(plain_image(filled), {}), HasSubstr("4 ("));
-    MaskOptions options;
+    imaging::MaskOptions options;
     options.labels = {1};
     EXPECT_EQ(refusal_of(plain_image(negative), options), "");
     EXPECT_EQ(refusal_of(plain_image(filled), options), "");

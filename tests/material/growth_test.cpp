@@ -31,13 +31,13 @@ test::OwnTissue cortex()
 
 TEST(GrowthCourse, LinearIsTWithItsDefaults)
 {
-    const GrowthCourse course;
+    const material::GrowthCourse course;
     for (const double t : {0.0, 0.1, 0.7, 1.0})
     {
         EXPECT_EQ(course.value(t), t);
         EXPECT_EQ(course.slope(t), 1.0);
     }
-    const GrowthCourse late{GrowthLaw::linear, 0.4, 2.0};
+    const material::GrowthCourse late{material::GrowthLaw::linear, 0.4, 2.0};
     EXPECT_EQ(late.value(0.3), 0.0);
     EXPECT_EQ(late.slope(0.3), 0.0);
     EXPECT_DOUBLE_EQ(late.value(0.6), 0.4);
@@ -45,7 +45,7 @@ TEST(GrowthCourse, LinearIsTWithItsDefaults)
 
 TEST(GrowthCourse, GompertzHasTheLinearCourseForItsSteepestTangent)
 {
-    const GrowthCourse course{GrowthLaw::gompertz, 0.2, 3.0};
+    const material::GrowthCourse course{material::GrowthLaw::gompertz, 0.2, 3.0};
     double steepest = 0.0;
     double steepest_at = 0.0;
     for (int k = 0; k <= 20000; ++k)
@@ -68,13 +68,14 @@ TEST(GrowthCourse, GompertzHasTheLinearCourseForItsSteepestTangent)
 
 TEST(GrowthTensor, HasTheTwoRatiosForItsPrincipalStretches)
 {
-    const Mat3 inverse_G = inverse_growth_tensor(1.3, oblique, 1.1);
+    const Mat3 inverse_G = material::inverse_growth_tensor(1.3, oblique, 1.1);
     const Vec3 tangent = Vec3{2, 1, -2} / 3.0;
     EXPECT_LT(norm(inverse_G * oblique - oblique / 1.1), 1e-15);
     EXPECT_LT(norm(inverse_G * tangent - tangent / 1.3), 1e-15);
     EXPECT_NEAR(1.0 / determinant(inverse_G), 1.3 * 1.3 * 1.1, 1e-14);
-    EXPECT_LT(test::largest_difference(inverse_growth_tensor(1.2, oblique, 1.2), (1.0 / 1.2) * Mat3::identity()),
-              1e-15);
+    EXPECT_LT(
+        test::largest_difference(material::inverse_growth_tensor(1.2, oblique, 1.2), (1.0 / 1.2) * Mat3::identity()),
+        1e-15);
 }
 
 TEST(PolarRotation, IsARotationThatLeavesASymmetricPositiveStretch)
@@ -95,7 +96,7 @@ TEST(PolarRotation, IsARotationThatLeavesASymmetricPositiveStretch)
 TEST(CurrentNormal, IsThatOfTheDeformedSurfaceTurnedBack)
 {
     // Two tangents carried by F span the deformed surface; R takes the growth normal to its normal.
-    const Vec3 n = current_normal(sheared, oblique);
+    const Vec3 n = material::current_normal(sheared, oblique);
     EXPECT_NEAR(norm(n), 1.0, 1e-15);
     const Vec3 there = polar_rotation(sheared) * n;
     EXPECT_NEAR(dot(there, sheared * (Vec3{2, 1, -2} / 3.0)), 0.0, 1e-14);
@@ -107,9 +108,9 @@ TEST(CurrentNormal, IsThatOfTheDeformedSurfaceTurnedBack)
 TEST(CurrentNormal, DoesNotSeeRotationsNorStretchesAlongTheNormal)
 {
     const Mat3 Q = test::rotation(Vec3{2, -1, 2} / 3.0, 1.1);
-    EXPECT_LT(norm(current_normal(Q * sheared, oblique) - current_normal(sheared, oblique)), 1e-14);
+    EXPECT_LT(norm(material::current_normal(Q * sheared, oblique) - material::current_normal(sheared, oblique)), 1e-14);
     const Mat3 stretch = 1.4 * Mat3::identity() + (0.7 - 1.4) * outer(oblique, oblique);
-    EXPECT_LT(norm(current_normal(Q * stretch, oblique) - oblique), 1e-14);
+    EXPECT_LT(norm(material::current_normal(Q * stretch, oblique) - oblique), 1e-14);
 }
 
 TEST(Growth, HasTangentialRadialAndWhiteParts)
@@ -122,7 +123,7 @@ TEST(Growth, HasTangentialRadialAndWhiteParts)
     tissue.options.alpha_white = 0.2;
     tissue.theta = {0.75};
     EXPECT_FALSE(tissue.grows_plainly());
-    const MaterialPoint point = tissue.point(0, 0.5);
+    const material::MaterialPoint point = tissue.point(0, 0.5);
     EXPECT_DOUBLE_EQ(point.growth, 1.0 + (1.5 * 0.75 + 0.2 * 0.25) * 0.8 * 0.5);
     EXPECT_DOUBLE_EQ(point.radial_growth, 1.0 + (0.5 * 0.75 + 0.2 * 0.25) * 0.8 * 0.5);
 }
@@ -142,16 +143,16 @@ TEST(Growth, RatesAreTheDerivativesOfTheRatios)
 {
     test::OwnTissue tissue = cortex();
     tissue.options.alpha_r = 0.5;
-    tissue.options.growth_law = GrowthLaw::gompertz;
+    tissue.options.growth_law = material::GrowthLaw::gompertz;
     tissue.options.growth_onset = 0.1;
     tissue.options.growth_rate = 2.5;
     tissue.start_growth(0.2);
     const double h = 1e-6;
     for (const double t : {0.2, 0.4, 0.8})
     {
-        const MaterialPoint above = tissue.point(0, t + h);
-        const MaterialPoint below = tissue.point(0, t - h);
-        const MaterialPoint at = tissue.point(0, t);
+        const material::MaterialPoint above = tissue.point(0, t + h);
+        const material::MaterialPoint below = tissue.point(0, t - h);
+        const material::MaterialPoint at = tissue.point(0, t);
         EXPECT_NEAR(at.growth_rate, (above.growth - below.growth) / (2.0 * h), 1e-8);
         EXPECT_NEAR(at.radial_growth_rate, (above.radial_growth - below.radial_growth) / (2.0 * h), 1e-8);
     }

@@ -27,7 +27,7 @@ TEST(RandomWaves, HaveMeanZeroVarianceOneAndTheirBand)
 {
     const double shortest = 6.0;
     const double longest = 15.0;
-    const RandomWaves waves(1, shortest, longest);
+    const material::RandomWaves waves(1, shortest, longest);
     constexpr std::uint64_t count = 20000;
     constexpr double apart = 0.05;
     double sum = 0.0;
@@ -53,9 +53,9 @@ TEST(RandomWaves, HaveMeanZeroVarianceOneAndTheirBand)
 
 TEST(RandomWaves, FollowTheirSeed)
 {
-    const RandomWaves first(1, 6.0, 15.0);
-    const RandomWaves again(1, 6.0, 15.0);
-    const RandomWaves other(2, 6.0, 15.0);
+    const material::RandomWaves first(1, 6.0, 15.0);
+    const material::RandomWaves again(1, 6.0, 15.0);
+    const material::RandomWaves other(2, 6.0, 15.0);
     EXPECT_EQ(first.at(place(0)), again.at(place(0)));
     EXPECT_NE(first.at(place(0)), other.at(place(0)));
 }
@@ -67,51 +67,51 @@ TEST(Imperfection, AColumnOfCortexGrowsAsOne)
     tissue.normal = {{0, 0, 1}, {0, 0, 1}};
     tissue.regional_rate = {1.0, 0.5};
     const std::vector<Vec3> places{{3, 4, 10}, {3, 4, 8.5}};
-    const RandomWaves waves(1, 6.0, 15.0);
-    apply_imperfection(waves, 0.1, places, tissue);
+    const material::RandomWaves waves(1, 6.0, 15.0);
+    material::apply_imperfection(waves, 0.1, places, tissue);
     EXPECT_NEAR(tissue.regional_rate[0], 1.0 + 0.1 * waves.at(places[0]), 1e-15);
     EXPECT_NEAR(tissue.regional_rate[1], 0.5 * tissue.regional_rate[0], 1e-12);
 }
 
 TEST(Imperfection, BuiltInShapesHaveOneAndOthersDoNot)
 {
-    Options from_file;
-    from_file.geometry.shape = Shape::file;
-    EXPECT_EQ(imperfection_amplitude(Options()), 0.05);
-    EXPECT_EQ(imperfection_amplitude(from_file), 0.0);
+    config::Options from_file;
+    from_file.geometry.shape = prepare::Shape::file;
+    EXPECT_EQ(prepare::imperfection_amplitude(config::Options()), 0.05);
+    EXPECT_EQ(prepare::imperfection_amplitude(from_file), 0.0);
     from_file.imperfection.amplitude = 0.02;
-    EXPECT_EQ(imperfection_amplitude(from_file), 0.02);
-    Options thesis;
-    thesis.formulation = Formulation::thesis;
-    EXPECT_EQ(imperfection_amplitude(thesis), 0.0);
+    EXPECT_EQ(prepare::imperfection_amplitude(from_file), 0.02);
+    config::Options thesis;
+    thesis.formulation = thesis::Formulation::thesis;
+    EXPECT_EQ(prepare::imperfection_amplitude(thesis), 0.0);
 }
 
 /// A run that goes on to a later end must find the growth it began with.
 TEST(Imperfection, KnowsNothingOfTheEndOfTheRun)
 {
-    Options options = test::sphere_options(2500);
+    config::Options options = test::sphere_options(2500);
     options.imperfection.amplitude = 0.05;
     options.tissue.thickness_rate_mm = -0.5;
     options.time.end = 0.4;
-    const Model shorter = prepare_body(options).model;
+    const model::Model shorter = prepare::prepare_body(options).model;
     options.time.end = 1.0;
-    const Model longer = prepare_body(options).model;
+    const model::Model longer = prepare::prepare_body(options).model;
     ASSERT_FALSE(shorter.tissue.regional_rate.empty());
     EXPECT_EQ(shorter.tissue.regional_rate, longer.tissue.regional_rate);
 }
 
 TEST(Imperfection, ParticlesAndTetsGetTheSameFieldAndRestWithoutStress)
 {
-    Options options = test::sphere_options(2500);
+    config::Options options = test::sphere_options(2500);
     options.imperfection.amplitude.reset();
-    Preparation made = prepare_body(options);
-    Model& body = made.model;
+    prepare::Preparation made = prepare::prepare_body(options);
+    model::Model& body = made.model;
     const std::vector<double> once = body.tissue.regional_rate;
-    connect_body(options, made);
+    prepare::connect_body(options, made);
     EXPECT_EQ(body.tissue.regional_rate, once); // not applied twice
 
-    const RandomWaves waves(1, 4.0 * options.tissue.thickness_mm, 10.0 * options.tissue.thickness_mm);
-    const auto expect_field = [&](const Model& of)
+    const material::RandomWaves waves(1, 4.0 * options.tissue.thickness_mm, 10.0 * options.tissue.thickness_mm);
+    const auto expect_field = [&](const model::Model& of)
     {
         double squares = 0.0;
         for (const std::int32_t i : of.cloud.surface_particles)
@@ -126,15 +126,15 @@ TEST(Imperfection, ParticlesAndTetsGetTheSameFieldAndRestWithoutStress)
     };
     expect_field(body);
     constexpr double round_off = 1e-9; // of a body of 8,000 mm³ whose folds hold thousands
-    EXPECT_LT(std::abs(Simulation(test::shared(body), options).internal().elastic_energy), round_off);
+    EXPECT_LT(std::abs(model::Simulation(test::shared(body), options).internal().elastic_energy), round_off);
 
-    options.method = Method::fem;
-    Model tets = prepare_body(options).model;
+    options.method = model::Method::fem;
+    model::Model tets = prepare::prepare_body(options).model;
     expect_field(tets);
     const auto [least, most] = std::ranges::minmax(tets.fem->tissue.regional_rate);
     EXPECT_LT(least, 0.9);
     EXPECT_GT(most, 1.1);
-    EXPECT_LT(std::abs(Simulation(test::shared(tets), options).internal().elastic_energy), round_off);
+    EXPECT_LT(std::abs(model::Simulation(test::shared(tets), options).internal().elastic_energy), round_off);
 }
 
 } // namespace

@@ -11,18 +11,18 @@ namespace corticle
 namespace
 {
 
-CriticalLayer layer_of(double mu_cortex, double bulk_modulus)
+material::CriticalLayer layer_of(double mu_cortex, double bulk_modulus)
 {
-    TissueOptions options;
+    material::TissueOptions options;
     options.mu_cortex = mu_cortex;
     options.bulk_modulus = bulk_modulus;
-    return critical_layer(options);
+    return material::critical_layer(options);
 }
 
 TEST(LayerStability, TheLayerOfTheThesisFoldsAsAnIndependentAnalysisSays)
 {
     // Shooting through the layer on a spectral half-space: g = 1.3805 at a wavelength of 4.65 thicknesses.
-    const CriticalLayer layer = layer_of(0.86, 5.0);
+    const material::CriticalLayer layer = layer_of(0.86, 5.0);
     EXPECT_NEAR(layer.growth, 1.3805, 2e-4);
     EXPECT_NEAR(layer.wavelength / 4.65, 1.0, 0.04); // the minimum is flat, and wavelengths are 4 % apart
 }
@@ -34,7 +34,7 @@ TEST(LayerStability, AStiffLayerWrinklesAsAThinPlate)
     const double ratio = 300.0;
     const double nu = (3.0 * 5.0 - 2.0) / (2.0 * (3.0 * 5.0 + 1.0));
     const double strain = 0.25 / (1.0 + nu) * std::pow(3.0 / ratio, 2.0 / 3.0);
-    const CriticalLayer layer = layer_of(ratio, 5.0);
+    const material::CriticalLayer layer = layer_of(ratio, 5.0);
     EXPECT_NEAR((layer.growth - 1.0) / strain, 1.0, 0.05); // shear on the plate's underside is left out
     EXPECT_NEAR(layer.wavelength / (2.0 * std::numbers::pi * std::cbrt(ratio / 3.0)), 1.0, 0.05);
 }

@@ -15,8 +15,9 @@ struct MooneyRivlin
     double barrier_J = 0.0;    ///< [-]
 
     template <RealLike Real>
-    CORTICLE_INLINE DeviatoricResponse<Real> respond_to_shape(const Real& shear_modulus, const BasicMat3<Real>& F_e,
-                                                              const BasicMat3<Real>& cofactor_e, const Real& J_e) const
+    CORTICLE_INLINE material::DeviatoricResponse<Real>
+    respond_to_shape(const Real& shear_modulus, const BasicMat3<Real>& F_e, const BasicMat3<Real>& cofactor_e,
+                     const Real& J_e) const
     {
         using Scalar = ScalarOf<Real>;
         const Real r = inverse_cube_root(J_e);
@@ -31,11 +32,12 @@ struct MooneyRivlin
     }
 
     template <RealLike Real>
-    CORTICLE_INLINE VolumetricResponse<Real> respond_to_volume(const Real& bulk_modulus, const Real& J_e) const
+    CORTICLE_INLINE material::VolumetricResponse<Real> respond_to_volume(const Real& bulk_modulus,
+                                                                         const Real& J_e) const
     {
-        return volumetric_response(bulk_modulus, J_e, barrier_J);
+        return material::volumetric_response(bulk_modulus, J_e, barrier_J);
     }
 };
-static_assert(Material<MooneyRivlin> && Material<MooneyRivlin, float>);
+static_assert(material::Material<MooneyRivlin> && material::Material<MooneyRivlin, float>);
 
 } // namespace corticle::test

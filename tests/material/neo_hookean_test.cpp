@@ -20,9 +20,9 @@ struct Solid
 {
     double shear_modulus, bulk_modulus, barrier_J;
 
-    ElasticResponse respond(const Mat3& F) const
+    material::ElasticResponse respond(const Mat3& F) const
     {
-        return elastic_response(NeoHookean{barrier_J}, shear_modulus, bulk_modulus, F);
+        return material::elastic_response(material::NeoHookean{barrier_J}, shear_modulus, bulk_modulus, F);
     }
 };
 constexpr Solid law{1.0, 5.0, 0.0};
@@ -36,7 +36,7 @@ const Mat3 general = from_rows({1.1, 0.2, -0.1}, {0.05, 0.9, 0.15}, {-0.2, 0.1, 
 
 double energy(const Solid& material, const Mat3& F)
 {
-    const ElasticResponse response = material.respond(F);
+    const material::ElasticResponse response = material.respond(F);
     return response.deviatoric_energy + response.volumetric_energy;
 }
 
@@ -67,7 +67,7 @@ TEST_P(NeoHookeanUniaxial, LateralStretchVolumeAndStress)
     const auto [lambda, lateral, J, stress] = GetParam();
     const double found = free_lateral_stretch(lambda);
     const Mat3 F = Mat3::diagonal(lambda, found, found);
-    const Mat3 sigma = cauchy_stress(law.respond(F).stress, F);
+    const Mat3 sigma = material::cauchy_stress(law.respond(F).stress, F);
     EXPECT_NEAR(found, lateral, given_digits);
     EXPECT_NEAR(determinant(F), J, given_digits);
     EXPECT_NEAR(sigma(0, 0), stress, given_digits);
@@ -85,7 +85,7 @@ TEST(NeoHookean, SimpleShear)
     {
         Mat3 F = Mat3::identity();
         F(0, 1) = gamma;
-        const Mat3 sigma = cauchy_stress(law.respond(F).stress, F);
+        const Mat3 sigma = material::cauchy_stress(law.respond(F).stress, F);
         const double third = gamma * gamma / 3.0;
         const Mat3 expected = from_rows({2.0 * third, gamma, 0}, {gamma, -third, 0}, {0, 0, -third});
         EXPECT_LT(test::largest_difference(sigma, expected), 1e-14); // some round-offs of numbers near 1
@@ -104,7 +104,7 @@ TEST(NeoHookean, GeneralDeformation)
 TEST(NeoHookean, GeneralDeformationOfGrownTissue)
 {
     const double g = 1.3;
-    const Mat3 inverse_G = inverse_growth_tensor(g, Vec3{1, 2, 2} / 3.0);
+    const Mat3 inverse_G = material::inverse_growth_tensor(g, Vec3{1, 2, 2} / 3.0);
     const Mat3 F_e = general * inverse_G;
     const double J_g = 1.0 / determinant(inverse_G);
     EXPECT_NEAR(J_g, 1.69, 1e-14);
@@ -120,7 +120,7 @@ TEST(NeoHookean, GrowthLeavesTheNormalAndStretchesThePlane)
 {
     const Vec3 n = Vec3{1, 2, 2} / 3.0;
     const Vec3 tangent = Vec3{2, 1, -2} / 3.0;
-    const Mat3 inverse_G = inverse_growth_tensor(1.3, n);
+    const Mat3 inverse_G = material::inverse_growth_tensor(1.3, n);
     EXPECT_LT(norm(inverse_G * n - n), 1e-15);
     EXPECT_LT(norm(inverse_G * tangent - tangent / 1.3), 1e-15);
 }

@@ -7,28 +7,29 @@ namespace corticle::test
 {
 
 /// A tissue with its options and its state, which a test may change as it likes.
-struct OwnTissue : TissueFields, TissueState
+struct OwnTissue : material::TissueFields, material::TissueState
 {
     OwnTissue() = default;
-    OwnTissue(TissueFields fields, const TissueOptions& chosen, const ReferenceSize& thinning = {})
-        : TissueFields(std::move(fields)), options(chosen), size(thinning)
+    OwnTissue(material::TissueFields fields, const material::TissueOptions& chosen,
+              const material::ReferenceSize& thinning = {})
+        : material::TissueFields(std::move(fields)), options(chosen), size(thinning)
     {
     }
 
-    TissueOptions options;
-    ReferenceSize size;
+    material::TissueOptions options;
+    material::ReferenceSize size;
 
-    operator Tissue() const { return {options, *this, *this}; }
-    MaterialPoint point(std::size_t i, double t) const { return Tissue(*this).point(i, t); }
-    bool grows_plainly() const { return Tissue(*this).grows_plainly(); }
-    Vec3 growth_normal(std::size_t i, const Mat3& F) const { return Tissue(*this).growth_normal(i, F); }
-    void set_layer(double t) { corticle::set_layer(*this, options, size, t, *this); }
+    operator material::Tissue() const { return {options, *this, *this}; }
+    material::MaterialPoint point(std::size_t i, double t) const { return material::Tissue(*this).point(i, t); }
+    bool grows_plainly() const { return material::Tissue(*this).grows_plainly(); }
+    Vec3 growth_normal(std::size_t i, const Mat3& F) const { return material::Tissue(*this).growth_normal(i, F); }
+    void set_layer(double t) { corticle::material::set_layer(*this, options, size, t, *this); }
     /// Free of stress at t, with theta as it is.
     void start_growth(double t)
     {
-        TissueFields fields = *this;
+        material::TissueFields fields = *this;
         fields.given_theta = theta;
-        past = start_tissue(fields, options, size, t).past;
+        past = material::start_tissue(fields, options, size, t).past;
     }
 };
 

@@ -22,7 +22,7 @@ using test::Dual;
 template <RealLike Real>
 struct Situation
 {
-    BasicMaterialPoint<Real> point;
+    material::BasicMaterialPoint<Real> point;
     BasicVec3<Real> normal;
     BasicMat3<Real> F;
 };
@@ -56,14 +56,14 @@ Situation<Real> converted(const Situation<double>& s, Convert&& to)
 }
 
 template <bool plain = false, class Law, RealLike Real>
-BasicResponse<Real> response_of(const Law& law, const Situation<Real>& s)
+material::BasicResponse<Real> response_of(const Law& law, const Situation<Real>& s)
 {
-    return respond<plain>(law, s.point, s.normal, s.F);
+    return material::respond<plain>(law, s.point, s.normal, s.F);
 }
 
 /// @param one  one(value) is the number in double   @param tolerance  of numbers of the size of the stress
 template <class Other, class One>
-void expect_same(const Response& exact, const Other& other, One&& one, double tolerance)
+void expect_same(const material::Response& exact, const Other& other, One&& one, double tolerance)
 {
     const double size = tolerance * (1.0 + std::sqrt(contract(exact.P, exact.P)));
     EXPECT_NEAR(one(other.growth_volume), exact.growth_volume, size);
@@ -88,9 +88,9 @@ class AnyMaterial : public testing::Test
   protected:
     Law law{};
 };
-struct NeoHookeanWithBarrier : NeoHookean
+struct NeoHookeanWithBarrier : material::NeoHookean
 {
-    NeoHookeanWithBarrier() : NeoHookean{0.5} {}
+    NeoHookeanWithBarrier() : material::NeoHookean{0.5} {}
 };
 struct MooneyRivlinWithBarrier : test::MooneyRivlin
 {
@@ -163,7 +163,7 @@ TYPED_TEST(AnyMaterial, StressIsTheDerivativeOfTheEnergy)
 {
     for (std::uint64_t k = 0; k < situations; ++k)
     {
-        const Response exact = response_of(this->law, situation(k));
+        const material::Response exact = response_of(this->law, situation(k));
         const double size = round_off * (1.0 + std::sqrt(contract(exact.P, exact.P)));
         for (int entry = 0; entry < 9; ++entry)
         {
@@ -212,11 +212,11 @@ TYPED_TEST(AnyMaterial, ModuliAreThoseAtRest)
     auto F = converted<Dual>(Situation<double>{{}, {}, Mat3::identity()}, [](double value) { return Dual{value}; }).F;
     F(0, 0).slope = 1.0;
     const Dual moduli[] = {mu, K};
-    EXPECT_NEAR(elastic_response(this->law, moduli[0], moduli[1], F).stress(0, 0).slope,
-                longitudinal_modulus(MaterialPoint{1.0, 1.0, 0.0, 0.0, mu, K}), round_off);
+    EXPECT_NEAR(material::elastic_response(this->law, moduli[0], moduli[1], F).stress(0, 0).slope,
+                material::longitudinal_modulus(material::MaterialPoint{1.0, 1.0, 0.0, 0.0, mu, K}), round_off);
     F(0, 0).slope = 0.0;
     F(0, 1).slope = 1.0;
-    EXPECT_NEAR(elastic_response(this->law, moduli[0], moduli[1], F).stress(0, 1).slope, mu, round_off);
+    EXPECT_NEAR(material::elastic_response(this->law, moduli[0], moduli[1], F).stress(0, 1).slope, mu, round_off);
 }
 
 } // namespace

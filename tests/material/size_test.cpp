@@ -22,54 +22,60 @@ TEST(Size, QuadraticTable)
     const double lengths[] = {59.0, 88.5, 113.1};
     for (int k = 0; k < 3; ++k)
     {
-        EXPECT_NEAR(brain_length(LengthLaw::quadratic, GestationalClock::wang, weeks[k]), lengths[k],
+        EXPECT_NEAR(material::brain_length(material::LengthLaw::quadratic, material::GestationalClock::wang, weeks[k]),
+                    lengths[k],
                     0.0501); // L(40) is 113.15
         // It speaks of weeks, so the clock does not matter.
-        EXPECT_EQ(brain_length(LengthLaw::quadratic, GestationalClock::cubic, weeks[k]),
-                  brain_length(LengthLaw::quadratic, GestationalClock::wang, weeks[k]));
+        EXPECT_EQ(material::brain_length(material::LengthLaw::quadratic, material::GestationalClock::cubic, weeks[k]),
+                  material::brain_length(material::LengthLaw::quadratic, material::GestationalClock::wang, weeks[k]));
     }
 }
 
 TEST(Size, HyperbolicLawStartsAt59MillimetresAndFollowsItsClock)
 {
-    EXPECT_NEAR(brain_length(LengthLaw::hyperbolic, GestationalClock::cubic, 22.0), 59.0, 0.05);
-    const double t = growth_time(GestationalClock::cubic, 30.0);
-    EXPECT_DOUBLE_EQ(brain_length(LengthLaw::hyperbolic, GestationalClock::cubic, 30.0), 59.0 / (1.0 - 0.55 * t));
-    EXPECT_GT(brain_length(LengthLaw::hyperbolic, GestationalClock::wang, 22.0), 61.0); // the wrong clock
+    EXPECT_NEAR(material::brain_length(material::LengthLaw::hyperbolic, material::GestationalClock::cubic, 22.0), 59.0,
+                0.05);
+    const double t = material::growth_time(material::GestationalClock::cubic, 30.0);
+    EXPECT_DOUBLE_EQ(material::brain_length(material::LengthLaw::hyperbolic, material::GestationalClock::cubic, 30.0),
+                     59.0 / (1.0 - 0.55 * t));
+    EXPECT_GT(material::brain_length(material::LengthLaw::hyperbolic, material::GestationalClock::wang, 22.0),
+              61.0); // the wrong clock
 }
 
 TEST(Size, BrainsGetLonger)
 {
-    for (const GestationalClock clock : {GestationalClock::wang, GestationalClock::cubic})
+    for (const material::GestationalClock clock : {material::GestationalClock::wang, material::GestationalClock::cubic})
     {
-        for (const LengthLaw law : {LengthLaw::hyperbolic, LengthLaw::quadratic})
+        for (const material::LengthLaw law : {material::LengthLaw::hyperbolic, material::LengthLaw::quadratic})
         {
             for (double week = 22.0; week < 44.0; week += 0.125)
             {
-                EXPECT_LT(brain_length(law, clock, week), brain_length(law, clock, week + 0.125)) << week;
+                EXPECT_LT(material::brain_length(law, clock, week), material::brain_length(law, clock, week + 0.125))
+                    << week;
             }
         }
     }
-    EXPECT_THROW(brain_length(LengthLaw::quadratic, GestationalClock::wang, 61.0), InputError);
+    EXPECT_THROW(material::brain_length(material::LengthLaw::quadratic, material::GestationalClock::wang, 61.0),
+                 InputError);
 }
 
 TEST(Size, ScaleIsOneAtTheStart)
 {
-    EXPECT_EQ(ReferenceSize{}.scale(0.7), 1.0);
-    const ReferenceSize size{GestationalClock::wang, LengthLaw::quadratic, 23.0};
-    EXPECT_NEAR(size.scale(growth_time(size.clock, 23.0)), 1.0, 1e-13);
+    EXPECT_EQ(material::ReferenceSize{}.scale(0.7), 1.0);
+    const material::ReferenceSize size{material::GestationalClock::wang, material::LengthLaw::quadratic, 23.0};
+    EXPECT_NEAR(size.scale(material::growth_time(size.clock, 23.0)), 1.0, 1e-13);
     const double ratio = (-0.067 * 38 * 38 + 7.16 * 38 - 66.05) / (-0.067 * 23 * 23 + 7.16 * 23 - 66.05);
-    EXPECT_NEAR(size.scale(growth_time(size.clock, 38.0)), ratio, 1e-12);
+    EXPECT_NEAR(size.scale(material::growth_time(size.clock, 38.0)), ratio, 1e-12);
 }
 
 TEST(Size, ItsRateIsTheSlope)
 {
-    EXPECT_EQ(ReferenceSize{}.scale_rate(0.7), 0.0);
-    for (const GestationalClock clock : {GestationalClock::wang, GestationalClock::cubic})
+    EXPECT_EQ(material::ReferenceSize{}.scale_rate(0.7), 0.0);
+    for (const material::GestationalClock clock : {material::GestationalClock::wang, material::GestationalClock::cubic})
     {
-        for (const LengthLaw law : {LengthLaw::hyperbolic, LengthLaw::quadratic})
+        for (const material::LengthLaw law : {material::LengthLaw::hyperbolic, material::LengthLaw::quadratic})
         {
-            const ReferenceSize size{clock, law, 23.0};
+            const material::ReferenceSize size{clock, law, 23.0};
             for (double t = 0.1; t < 0.85; t += 0.05)
             {
                 const double h = 1e-5;
@@ -84,8 +90,8 @@ TEST(Size, AGrowingReferenceStateThinsTheCortex)
     test::OwnTissue tissue;
     tissue.options.thickness_mm = 2.5;
     tissue.options.thickness_rate_mm = 0.3;
-    tissue.size = {GestationalClock::wang, LengthLaw::quadratic, 23.0};
-    const double t = growth_time(GestationalClock::wang, 38.0);
+    tissue.size = {material::GestationalClock::wang, material::LengthLaw::quadratic, 23.0};
+    const double t = material::growth_time(material::GestationalClock::wang, 38.0);
     // Half of the cortex in mm at 38 weeks, in units of the reference state, is where theta is 1/2.
     const double boundary = (2.5 + 0.3 * t) / tissue.size.scale(t);
     tissue.depth = {0.5 * boundary, boundary, 2.5};
@@ -106,7 +112,7 @@ TEST(Size, LocalThicknessReplacesTheOne)
     tissue.thickness = {1.0, 2.0};
     tissue.set_layer(0.0);
     EXPECT_DOUBLE_EQ(tissue.theta[0], 0.5);
-    EXPECT_DOUBLE_EQ(tissue.theta[1], smooth_layer(1.0, 2.0));
+    EXPECT_DOUBLE_EQ(tissue.theta[1], material::smooth_layer(1.0, 2.0));
 }
 
 } // namespace

@@ -95,7 +95,7 @@ TEST(TetMesh, BoundaryIsAValidSurfaceOfTheSameVolume)
 {
     const TetMesh ball = tet_ball(8, 10.0);
     const TetBoundary boundary = boundary_of(ball);
-    EXPECT_NO_THROW(require_valid_surface(boundary.surface, "ball"));
+    EXPECT_NO_THROW(geometry::require_valid_surface(boundary.surface, "ball"));
     EXPECT_NEAR(enclosed_volume(boundary.surface.vertices, boundary.surface.triangles) / mesh_volume(ball), 1.0, 1e-12);
     EXPECT_TRUE(std::is_sorted(boundary.nodes.begin(), boundary.nodes.end()));
     ASSERT_EQ(boundary.nodes.size(), boundary.surface.vertices.size());

@@ -20,7 +20,7 @@ TEST(CorticalThickness, OfAShellIsTheDifferenceOfTheRadii)
     {
         v *= 0.8;
     }
-    for (const double t : cortical_thickness(outer.vertices, inner, outer.triangles))
+    for (const double t : metrics::cortical_thickness(outer.vertices, inner, outer.triangles))
     {
         EXPECT_NEAR(t, 2.0, 0.01); // chords sag by edge² / (8 R) = 0.002 mm
     }
@@ -45,7 +45,7 @@ TEST(CarriedPoints, FollowAnAffineMotionExactly)
     }
     const std::vector<Mat3> F(reference.size(), A);
     const std::vector<Vec3> points{{4.3, 5.1, 6.7}, {0, 0, 0}, {9.2, 1, 3}, {-40, 0, 0}}; // the last beyond all support
-    const std::vector<Vec3> carried = carried_points({reference, current, F, 1.0}, points);
+    const std::vector<Vec3> carried = metrics::carried_points({reference, current, F, 1.0}, points);
     for (std::size_t k = 0; k < points.size(); ++k)
     {
         EXPECT_NEAR(norm(carried[k] - (A * points[k] + shift)), 0.0, 1e-12);
@@ -54,7 +54,7 @@ TEST(CarriedPoints, FollowAnAffineMotionExactly)
 
 TEST(Asymmetry, OfAMirroredBodyIsZero)
 {
-    TriangleMesh left = make_ellipsoid({4, 7, 5}, 0.6);
+    TriangleMesh left = geometry::make_ellipsoid({4, 7, 5}, 0.6);
     TriangleMesh right = left;
     for (std::size_t v = 0; v < left.vertices.size(); ++v)
     {
@@ -66,7 +66,8 @@ TEST(Asymmetry, OfAMirroredBodyIsZero)
         std::swap(t[1], t[2]);
     }
     const TriangleMesh both = test::together(left, right);
-    const Asymmetry sides = asymmetry(both.vertices, both.triangles, mid_sagittal_plane(both.vertices));
+    const metrics::Asymmetry sides =
+        metrics::asymmetry(both.vertices, both.triangles, metrics::mid_sagittal_plane(both.vertices));
     EXPECT_NEAR(sides.area, 0.0, 1e-12);
     EXPECT_NEAR(sides.volume, 0.0, 1e-12);
 }
@@ -74,12 +75,13 @@ TEST(Asymmetry, OfAMirroredBodyIsZero)
 TEST(Asymmetry, OfABoxCutAtAQuarter)
 {
     const TriangleMesh box = test::box({-1, 0, 0}, {3, 1, 1});
-    const Asymmetry sides = asymmetry(box.vertices, box.triangles, {{0, 0, 0}, {1, 0, 0}});
+    const metrics::Asymmetry sides = metrics::asymmetry(box.vertices, box.triangles, {{0, 0, 0}, {1, 0, 0}});
     EXPECT_NEAR(sides.volume, 2.0 * (1.0 - 3.0) / 4.0, 1e-14);
     EXPECT_NEAR(sides.area, 2.0 * (5.0 - 13.0) / 18.0, 1e-14);
-    const Asymmetry other = asymmetry(box.vertices, box.triangles, {{0, 0, 0}, {-2, 0, 0}});
+    const metrics::Asymmetry other = metrics::asymmetry(box.vertices, box.triangles, {{0, 0, 0}, {-2, 0, 0}});
     EXPECT_NEAR(other.volume, -sides.volume, 1e-14);
-    const Asymmetry middle = asymmetry(box.vertices, box.triangles, mid_sagittal_plane(box.vertices));
+    const metrics::Asymmetry middle =
+        metrics::asymmetry(box.vertices, box.triangles, metrics::mid_sagittal_plane(box.vertices));
     EXPECT_NEAR(middle.volume, 0.0, 1e-14);
     EXPECT_NEAR(middle.area, 0.0, 1e-14);
 }

@@ -45,7 +45,7 @@ TEST(Curvature, OfASphere)
     const double R = 10.0;
     const TriangleMesh mesh = test::sphere(R);
     ASSERT_NEAR(static_cast<double>(mesh.vertices.size()), 1e4, 500.0);
-    const Curvature c = vertex_curvature(mesh.vertices, mesh.triangles);
+    const metrics::Curvature c = metrics::vertex_curvature(mesh.vertices, mesh.triangles);
     const Error H = error(mesh, c.mean, [&](const Vec3&) { return 1.0 / R; });
     const Error K = error(mesh, c.gaussian, [&](const Vec3&) { return 1.0 / (R * R); });
     fmt::print("sphere, {} vertices: H off by {:.3f} % (mean), {:.2f} % (largest); K {:.3f} %, {:.2f} %\n",
@@ -56,7 +56,7 @@ TEST(Curvature, OfASphere)
     EXPECT_LT(K.largest, 0.02);
     EXPECT_GT(*std::min_element(c.shape_index.begin(), c.shape_index.end()), 0.9); // caps
     EXPECT_LT(error(mesh, c.curvedness, [&](const Vec3&) { return 1.0 / R; }).mean, 0.002);
-    const SurfaceMeasures m = measure_surface(mesh.vertices, mesh.triangles);
+    const metrics::SurfaceMeasures m = metrics::measure_surface(mesh.vertices, mesh.triangles);
     EXPECT_NEAR(m.area_mm2 / (4.0 * pi * R * R), 1.0, 0.001);
     EXPECT_NEAR(m.volume_mm3 / (4.0 / 3.0 * pi * R * R * R), 1.0, 1e-9);
 }
@@ -68,9 +68,9 @@ TEST(Curvature, OfAnEllipsoid)
     const auto power = [&](double a, double b) { return std::pow(a * b, p); };
     const double area =
         4.0 * pi * std::pow((power(axes.x, axes.y) + power(axes.x, axes.z) + power(axes.y, axes.z)) / 3.0, 1.0 / p);
-    const TriangleMesh mesh = make_ellipsoid({axes.x, axes.y, axes.z}, test::edge_for_10000_vertices(area));
+    const TriangleMesh mesh = geometry::make_ellipsoid({axes.x, axes.y, axes.z}, test::edge_for_10000_vertices(area));
     ASSERT_NEAR(static_cast<double>(mesh.vertices.size()), 1e4, 500.0);
-    const Curvature c = vertex_curvature(mesh.vertices, mesh.triangles);
+    const metrics::Curvature c = metrics::vertex_curvature(mesh.vertices, mesh.triangles);
     const double abc = axes.x * axes.y * axes.z;
     const auto squared_gradient = [&](const Vec3& x) {
         return squared_norm(Vec3{x.x / (axes.x * axes.x), x.y / (axes.y * axes.y), x.z / (axes.z * axes.z)});
@@ -94,7 +94,7 @@ TEST(Curvature, OfACylinderWallIsARidgeAndOfItsInsideARut)
     const auto on_wall = [&](const Vec3& x) { return std::abs(x.z) < 8.0 && std::hypot(x.x, x.y) > 0.99 * R; };
     for (const double side : {1.0, -1.0})
     {
-        const Curvature c = vertex_curvature(mesh.vertices, mesh.triangles);
+        const metrics::Curvature c = metrics::vertex_curvature(mesh.vertices, mesh.triangles);
         for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
         {
             if (on_wall(mesh.vertices[v]))
@@ -115,7 +115,7 @@ TEST(Curvature, OfACylinderWallIsARidgeAndOfItsInsideARut)
 TEST(Curvature, IsFiniteOnACoarseBox)
 {
     const TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
-    for (const double H : vertex_curvature(mesh.vertices, mesh.triangles).mean)
+    for (const double H : metrics::vertex_curvature(mesh.vertices, mesh.triangles).mean)
     {
         EXPECT_TRUE(std::isfinite(H));
         EXPECT_GT(H, 0.0);

@@ -12,9 +12,10 @@ namespace corticle
 namespace
 {
 
-FoldMeasures folds_of(const TriangleMesh& mesh, const FoldOptions& options = {})
+metrics::FoldMeasures folds_of(const TriangleMesh& mesh, const metrics::FoldOptions& options = {})
 {
-    return measure_folds(mesh.vertices, mesh.triangles, fold_fields(mesh.vertices, mesh.triangles, options), options);
+    return metrics::measure_folds(mesh.vertices, mesh.triangles,
+                                  metrics::fold_fields(mesh.vertices, mesh.triangles, options), options);
 }
 
 /// A sphere with waves along and around.
@@ -26,15 +27,15 @@ TriangleMesh wavy()
 TEST(FoldMeasures, ScaleWithTheBody)
 {
     TriangleMesh mesh = wavy();
-    const FoldMeasures small = folds_of(mesh);
+    const metrics::FoldMeasures small = folds_of(mesh);
     EXPECT_GT(small.sulcal_pits, 5.0);
     EXPECT_GT(small.fold_wavelength_mm, 0.0);
     for (Vec3& v : mesh.vertices)
     {
         v *= 4.0; // exact, so that nothing but the unit changes
     }
-    const FoldMeasures large = folds_of(mesh);
-    for (const FoldColumn& column : fold_columns())
+    const metrics::FoldMeasures large = folds_of(mesh);
+    for (const metrics::FoldColumn& column : metrics::fold_columns())
     {
         const double factor = column.unit == "mm" ? 4.0 : (column.unit == "1/mm" ? 0.25 : 1.0);
         EXPECT_NEAR(large.*column.value, factor * small.*column.value, 1e-6 * (1.0 + std::abs(small.*column.value)))
@@ -45,12 +46,12 @@ TEST(FoldMeasures, ScaleWithTheBody)
 TEST(FoldMeasures, DoNotDependOnWhereTheBodyIs)
 {
     TriangleMesh mesh = wavy();
-    const FoldMeasures here = folds_of(mesh);
+    const metrics::FoldMeasures here = folds_of(mesh);
     for (Vec3& v : mesh.vertices)
     {
         v += {300, -200, 100};
     }
-    const FoldMeasures there = folds_of(mesh);
+    const metrics::FoldMeasures there = folds_of(mesh);
     EXPECT_NEAR(there.gi_zilles / here.gi_zilles, 1.0, 1e-9);
     EXPECT_NEAR(there.gi_local_mean / here.gi_local_mean, 1.0, 1e-3); // the cubes of thinned places lie otherwise
     EXPECT_NEAR(there.sulcal_depth_mean_mm / here.sulcal_depth_mean_mm, 1.0, 1e-6);
@@ -75,8 +76,8 @@ TEST(FoldMeasures, AreFiniteForCoarseThinAndSeparateBodies)
     for (const TriangleMesh& mesh : {cube, cavity, test::together(cube, test::box({3, 0, 0}, {4, 1, 1})),
                                      test::box({0, 0, 0}, {100, 100, 0.01}), test::box({0, 0, 0}, {1e-3, 2e-3, 1e-3})})
     {
-        const FoldMeasures folds = folds_of(mesh);
-        for (const FoldColumn& column : fold_columns())
+        const metrics::FoldMeasures folds = folds_of(mesh);
+        for (const metrics::FoldColumn& column : metrics::fold_columns())
         {
             EXPECT_TRUE(std::isfinite(folds.*column.value)) << column.key;
         }
@@ -99,10 +100,10 @@ TEST(FoldMeasures, AClosedOuterSurfaceFollowsWideConcavities)
     }
     profile.push_back({0.1, 14.0});
     const TriangleMesh mesh = test::turned(profile, -14.0, 14.0, 120);
-    FoldOptions options;
-    const FoldFields hull = fold_fields(mesh.vertices, mesh.triangles, options);
-    options.outer = OuterSurface::closed;
-    const FoldFields closed = fold_fields(mesh.vertices, mesh.triangles, options);
+    metrics::FoldOptions options;
+    const metrics::FoldFields hull = metrics::fold_fields(mesh.vertices, mesh.triangles, options);
+    options.outer = metrics::OuterSurface::closed;
+    const metrics::FoldFields closed = metrics::fold_fields(mesh.vertices, mesh.triangles, options);
     double hull_at_waist = 0.0;
     double closed_at_waist = 0.0;
     double closed_in_waves = 0.0;
@@ -124,8 +125,8 @@ TEST(FoldMeasures, AClosedOuterSurfaceFollowsWideConcavities)
 TEST(FoldMeasures, TakeTheMidplaneThatIsGiven)
 {
     const TriangleMesh mesh = test::box({-1, 0, 0}, {3, 1, 1});
-    FoldOptions options;
-    options.midplane = Plane{{0, 0, 0}, {1, 0, 0}};
+    metrics::FoldOptions options;
+    options.midplane = metrics::Plane{{0, 0, 0}, {1, 0, 0}};
     EXPECT_NEAR(folds_of(mesh, options).asymmetry_volume, -1.0, 1e-12);
     EXPECT_NEAR(folds_of(mesh).asymmetry_volume, 0.0, 1e-12);
 }

@@ -86,7 +86,8 @@ TEST(ZillesIndex, OfACylinderWithSineWalls)
 {
     const SineCylinder body;
     const TriangleMesh mesh = body.mesh(2400);
-    const SliceGyrification slices = zilles_index(mesh.vertices, mesh.triangles, {.normal = {0, 0, 1}, .count = 23});
+    const metrics::SliceGyrification slices =
+        metrics::zilles_index(mesh.vertices, mesh.triangles, {.normal = {0, 0, 1}, .count = 23});
     const double exact = body.whole_contour() / body.outer_contour();
     fmt::print("sine cylinder: index {:.6f}, exact {:.6f}\n", slices.index, exact);
     EXPECT_GT(exact, 1.15);
@@ -97,25 +98,26 @@ TEST(ZillesIndex, OfACylinderWithSineWalls)
 
 TEST(ZillesIndex, IsOneForAConvexBodyAndAnyDirection)
 {
-    const TriangleMesh mesh = make_ellipsoid({9, 7, 5}, 0.6);
+    const TriangleMesh mesh = geometry::make_ellipsoid({9, 7, 5}, 0.6);
     for (const Vec3& normal : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{1, -2, 3}})
     {
-        EXPECT_NEAR(zilles_index(mesh.vertices, mesh.triangles, {.normal = normal}).index, 1.0,
+        EXPECT_NEAR(metrics::zilles_index(mesh.vertices, mesh.triangles, {.normal = normal}).index, 1.0,
                     1e-4); // the triangles are not quite those of the hull
     }
 }
 
 TEST(ZillesIndex, RefusesSlicesThatAreNone)
 {
-    const TriangleMesh mesh = make_ellipsoid({9, 7, 5}, 2.0);
-    EXPECT_THROW(zilles_index(mesh.vertices, mesh.triangles, {.count = 0}), InputError);
-    EXPECT_THROW(zilles_index(mesh.vertices, mesh.triangles, {.normal = {0, 0, 0}}), InputError);
+    const TriangleMesh mesh = geometry::make_ellipsoid({9, 7, 5}, 2.0);
+    EXPECT_THROW(metrics::zilles_index(mesh.vertices, mesh.triangles, {.count = 0}), InputError);
+    EXPECT_THROW(metrics::zilles_index(mesh.vertices, mesh.triangles, {.normal = {0, 0, 0}}), InputError);
 }
 
 std::vector<double> local_index(const TriangleMesh& mesh, double radius)
 {
-    const TriangleMesh hull = convex_hull(mesh.vertices);
-    return local_gyrification(mesh.vertices, mesh.triangles, SurfaceTree(hull.vertices, hull.triangles), radius);
+    const TriangleMesh hull = geometry::convex_hull(mesh.vertices);
+    return metrics::local_gyrification(mesh.vertices, mesh.triangles,
+                                       geometry::SurfaceTree(hull.vertices, hull.triangles), radius);
 }
 
 TEST(LocalGyrification, OfASphereIsOne)
@@ -154,7 +156,7 @@ TEST(LocalGyrification, HasTheMeanOfTheWholeBodyHoweverDeepTheFolds)
     // Folds two ball radii deep.
     const TriangleMesh mesh = test::star([](const Vec3& n) { return 8.5 + 1.5 * std::cos(12.0 * std::acos(n.z)); });
     const std::vector<double> index = local_index(mesh, 1.5);
-    const TriangleMesh hull = convex_hull(mesh.vertices);
+    const TriangleMesh hull = geometry::convex_hull(mesh.vertices);
     const double whole = surface_area(mesh.vertices, mesh.triangles) / surface_area(hull.vertices, hull.triangles);
     double sum = 0.0; // harmonic, for places on the outer surface count by its area
     const std::vector<double> areas = vertex_areas(mesh.vertices, mesh.triangles);

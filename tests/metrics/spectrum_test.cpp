@@ -35,7 +35,7 @@ double sectoral(int l, const Vec3& n)
 
 struct Sphere
 {
-    TriangleMesh mesh = make_ellipsoid({R, R, R}, 0.6); ///< as of 45,000 particles
+    TriangleMesh mesh = geometry::make_ellipsoid({R, R, R}, 0.6); ///< as of 45,000 particles
     std::vector<Vec3> directions;
     std::vector<double> areas = vertex_areas(mesh.vertices, mesh.triangles);
 
@@ -60,8 +60,8 @@ struct Sphere
     }
     double dominant(std::span<const double> values) const
     {
-        return dominant_wavelength(laplace_beltrami_spectrum(mesh.vertices, mesh.triangles, values),
-                                   fold_band(mesh.vertices, mesh.triangles));
+        return metrics::dominant_wavelength(metrics::laplace_beltrami_spectrum(mesh.vertices, mesh.triangles, values),
+                                            metrics::fold_band(mesh.vertices, mesh.triangles));
     }
 };
 
@@ -71,8 +71,8 @@ TEST(SphericalHarmonics, FindAnImposedDegreeExactly)
     for (const int l : {1, 4, 9, 17})
     {
         const auto values = sphere.sample([l](const Vec3& n) { return 3.0 + std::legendre(l, 0.6 * n.x - 0.8 * n.z); });
-        const std::vector<double> power = power_by_degree(sphere.directions, values, sphere.areas, 20);
-        EXPECT_EQ(dominant_degree(power), l);
+        const std::vector<double> power = metrics::power_by_degree(sphere.directions, values, sphere.areas, 20);
+        EXPECT_EQ(metrics::dominant_degree(power), l);
         EXPECT_NEAR(power[0], 9.0, 0.01);
         EXPECT_NEAR(power[l] * (2.0 * l + 1.0), 1.0, 0.02); // mean square of a Legendre polynomial: 1 / (2 l + 1)
         EXPECT_LT(std::accumulate(power.begin() + 1, power.end(), 0.0) - power[l], 0.01 * power[l]);
@@ -82,7 +82,7 @@ TEST(SphericalHarmonics, FindAnImposedDegreeExactly)
 TEST(SphericalHarmonics, WavelengthOfJeans)
 {
     EXPECT_NEAR(wavelength_of_degree(R, 9), 2.0 * pi * R / std::sqrt(90.0), 1e-12);
-    EXPECT_EQ(dominant_degree(std::vector<double>{5.0, 0.0, 0.0}), 0);
+    EXPECT_EQ(metrics::dominant_degree(std::vector<double>{5.0, 0.0, 0.0}), 0);
 }
 
 TEST(Spectrum, AnImposedHarmonicIsOneLineOfItsWavelength)
@@ -102,11 +102,11 @@ TEST(Spectrum, PowersAreTheMeanSquareAndTheStrongerOfTwoHarmonicsWins)
     const Sphere& sphere = Sphere::shared();
     const auto values =
         sphere.sample([](const Vec3& n) { return std::legendre(8, n.y) + 2.0 * std::legendre(13, n.x); });
-    const auto spectrum = laplace_beltrami_spectrum(sphere.mesh.vertices, sphere.mesh.triangles, values);
+    const auto spectrum = metrics::laplace_beltrami_spectrum(sphere.mesh.vertices, sphere.mesh.triangles, values);
     double total = 0.0;
     double near_8 = 0.0;
     double near_13 = 0.0;
-    for (const SpectralLine& line : spectrum)
+    for (const metrics::SpectralLine& line : spectrum)
     {
         total += line.power;
         near_8 += std::abs(line.wavelength / wavelength_of_degree(R, 8) - 1.0) < 0.02 ? line.power : 0.0;
@@ -127,8 +127,9 @@ TEST(Spectrum, OfWavesOnACylinder)
     {
         values.push_back(std::cos(2.0 * pi * x.z / 4.0)); // 10 waves; on the end faces it is constant
     }
-    const double wavelength = dominant_wavelength(laplace_beltrami_spectrum(mesh.vertices, mesh.triangles, values),
-                                                  fold_band(mesh.vertices, mesh.triangles));
+    const double wavelength =
+        metrics::dominant_wavelength(metrics::laplace_beltrami_spectrum(mesh.vertices, mesh.triangles, values),
+                                     metrics::fold_band(mesh.vertices, mesh.triangles));
     EXPECT_NEAR(wavelength / 4.0, 1.0, 0.02);
 }
 
@@ -149,7 +150,7 @@ TEST(GaussQuadrature, OfLegendreIsExactForPolynomials)
     {
         below.push_back(k / std::sqrt(4.0 * k * k - 1.0));
     }
-    const Quadrature q = gauss_quadrature(std::vector<double>(points, 0.0), below);
+    const metrics::Quadrature q = metrics::gauss_quadrature(std::vector<double>(points, 0.0), below);
     for (int power = 0; power < 2 * points; ++power)
     {
         double sum = 0.0;

@@ -20,8 +20,8 @@ using test::ProfilePoint;
 
 std::vector<double> depth_below_hull(const TriangleMesh& mesh)
 {
-    const TriangleMesh hull = convex_hull(mesh.vertices);
-    return sulcal_depth(mesh.vertices, mesh.triangles, SurfaceTree(hull.vertices, hull.triangles));
+    const TriangleMesh hull = geometry::convex_hull(mesh.vertices);
+    return metrics::sulcal_depth(mesh.vertices, mesh.triangles, geometry::SurfaceTree(hull.vertices, hull.triangles));
 }
 
 double turn(const ProfilePoint& o, const ProfilePoint& a, const ProfilePoint& b)
@@ -100,7 +100,7 @@ TEST(SulcalDepth, OfAWavySphere)
 
 TEST(SulcalDepth, OfAConvexBodyIsZero)
 {
-    const TriangleMesh mesh = make_ellipsoid({9, 7, 5}, 0.6);
+    const TriangleMesh mesh = geometry::make_ellipsoid({9, 7, 5}, 0.6);
     for (const double d : depth_below_hull(mesh))
     {
         EXPECT_NEAR(d, 0.0, 1e-6);
@@ -144,7 +144,7 @@ TEST(MarchedDistance, OnASphereIsTheArc)
     const TriangleMesh mesh = test::sphere(R);
     std::vector<double> start(mesh.vertices.size(), std::numeric_limits<double>::infinity());
     start[7] = 0.0;
-    const std::vector<double> distance = marched_distance(mesh.vertices, mesh.triangles, start);
+    const std::vector<double> distance = metrics::marched_distance(mesh.vertices, mesh.triangles, start);
     for (std::size_t v = 0; v < distance.size(); ++v)
     {
         const double arc =

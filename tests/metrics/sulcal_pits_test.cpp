@@ -28,11 +28,12 @@ std::vector<Vec3> icosahedron()
     return corners;
 }
 
-DepthExtrema extrema_of(const TriangleMesh& mesh, double ridge_height)
+metrics::DepthExtrema extrema_of(const TriangleMesh& mesh, double ridge_height)
 {
-    const TriangleMesh hull = convex_hull(mesh.vertices);
-    const auto depth = sulcal_depth(mesh.vertices, mesh.triangles, SurfaceTree(hull.vertices, hull.triangles));
-    return depth_extrema(depth, mesh.triangles, ridge_height);
+    const TriangleMesh hull = geometry::convex_hull(mesh.vertices);
+    const auto depth =
+        metrics::sulcal_depth(mesh.vertices, mesh.triangles, geometry::SurfaceTree(hull.vertices, hull.triangles));
+    return metrics::depth_extrema(depth, mesh.triangles, ridge_height);
 }
 
 TEST(SulcalPits, OfASphereWithTwelveHollows)
@@ -48,7 +49,7 @@ TEST(SulcalPits, OfASphereWithTwelveHollows)
             }
             return radius;
         });
-    const DepthExtrema found = extrema_of(mesh, 0.3);
+    const metrics::DepthExtrema found = extrema_of(mesh, 0.3);
     ASSERT_EQ(found.pits.size(), 12u);
     EXPECT_EQ(found.crowns.size(), 1u); // the land between the hollows is one
     for (const Vec3& place : places)
@@ -75,7 +76,7 @@ TEST(GyralCrowns, OfASphereWithThreeGroovesAround)
 
 TEST(SulcalPits, ASmoothSphereHasNone)
 {
-    const DepthExtrema found = extrema_of(test::sphere(10), 0.1);
+    const metrics::DepthExtrema found = extrema_of(test::sphere(10), 0.1);
     EXPECT_TRUE(found.pits.empty());
     EXPECT_TRUE(found.crowns.empty());
 }
@@ -89,11 +90,11 @@ TEST(ProminentMaxima, MergeAcrossLowRidges)
         const Vec3 n = normalized(v);
         values.push_back(n.x > 0.0 ? n.x * n.x : 0.5 * n.x * n.x); // heights 1 and 0.5 above a valley of height 0
     }
-    EXPECT_EQ(prominent_maxima(values, mesh.triangles, 0.4).size(), 2u);
-    const auto one = prominent_maxima(values, mesh.triangles, 0.6);
+    EXPECT_EQ(metrics::prominent_maxima(values, mesh.triangles, 0.4).size(), 2u);
+    const auto one = metrics::prominent_maxima(values, mesh.triangles, 0.6);
     ASSERT_EQ(one.size(), 1u);
     EXPECT_GT(mesh.vertices[one[0]].x, 9.5);
-    EXPECT_TRUE(prominent_maxima(values, mesh.triangles, 1.1).empty());
+    EXPECT_TRUE(metrics::prominent_maxima(values, mesh.triangles, 1.1).empty());
 }
 
 } // namespace

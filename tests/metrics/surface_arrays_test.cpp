@@ -15,9 +15,9 @@ namespace
 {
 
 /// The sphere with a bulge of degree l on every particle's radius.
-State bulged(const Model& body, int l, double amplitude)
+model::State bulged(const model::Model& body, int l, double amplitude)
 {
-    State state;
+    model::State state;
     for (const Vec3& X : body.cloud.positions)
     {
         state.motion.x.push_back((1.0 + amplitude * std::legendre(l, normalized(X).x)) * X);
@@ -28,28 +28,28 @@ State bulged(const Model& body, int l, double amplitude)
 
 struct Measured
 {
-    SurfaceArrays arrays;
-    Measures row;
+    metrics::SurfaceArrays arrays;
+    metrics::Measures row;
 };
 
-Measured measured(const Simulation& simulation)
+Measured measured(const model::Simulation& simulation)
 {
-    const OutputView view = output_view(simulation);
-    Measured m{surface_arrays(view), {}};
-    m.row = measure(view, m.arrays);
+    const model::OutputView view = model::output_view(simulation);
+    Measured m{metrics::surface_arrays(view), {}};
+    m.row = metrics::measure(view, m.arrays);
     return m;
 }
 
 TEST(SurfaceArrays, MillimetresAtTheirWeek)
 {
-    const Options options = test::sphere_options(2500);
-    const Model body = *test::small_model();
-    const Simulation simulation(test::shared(body), options);
-    const Measures run = measured(simulation).row;
-    const PhysicalScale twice{30.0, 2.0};
-    const OutputView view = output_view(simulation, 0, twice);
-    const SurfaceArrays arrays = surface_arrays(view);
-    const Measures m = measure(view, arrays);
+    const config::Options options = test::sphere_options(2500);
+    const model::Model body = *test::small_model();
+    const model::Simulation simulation(test::shared(body), options);
+    const metrics::Measures run = measured(simulation).row;
+    const model::PhysicalScale twice{30.0, 2.0};
+    const model::OutputView view = model::output_view(simulation, 0, twice);
+    const metrics::SurfaceArrays arrays = metrics::surface_arrays(view);
+    const metrics::Measures m = metrics::measure(view, arrays);
     constexpr double round_off = 1e-9; // relative; powers of two, but sums of sampled slices and paths
     const auto expect = [&](double got, double expected)
     { EXPECT_NEAR(got, expected, round_off * std::abs(expected)); };
@@ -69,19 +69,19 @@ TEST(SurfaceArrays, MillimetresAtTheirWeek)
     expect(m.asymmetry_area + 1.0, run.asymmetry_area + 1.0);
     EXPECT_EQ(m.J_mean, run.J_mean);
 
-    const Frame frame = make_frame(view, arrays, "0000");
+    const record::Frame frame = record::make_frame(view, arrays, "0000");
     EXPECT_EQ(frame.week, 30.0);
     EXPECT_EQ(frame.particles[7], 2.0 * simulation.state().motion.x[7]);
     EXPECT_EQ(frame.origins[7], 2.0 * body.cloud.positions[7]);
     EXPECT_EQ(frame.surface[7], 2.0 * simulation.surface_positions()[7]);
-    expect(frame.spacing, 2.0 * mean_spacing(body.cloud.volumes));
+    expect(frame.spacing, 2.0 * record::mean_spacing(body.cloud.volumes));
 }
 
 TEST(SurfaceArrays, OfAnUndeformedSphere)
 {
-    const Options options = test::sphere_options(2500);
-    const Model body = *test::small_model();
-    const Simulation simulation(test::shared(body), options);
+    const config::Options options = test::sphere_options(2500);
+    const model::Model body = *test::small_model();
+    const model::Simulation simulation(test::shared(body), options);
     const Measured m = measured(simulation);
     for (const double t : m.arrays.thickness)
     {
@@ -100,9 +100,9 @@ TEST(SurfaceArrays, OfAnUndeformedSphere)
 
 TEST(SurfaceArrays, FindAnImposedDegree)
 {
-    const Options options = test::sphere_options(2500);
-    const Model body = *test::small_model();
-    Simulation simulation(test::shared(body), options);
+    const config::Options options = test::sphere_options(2500);
+    const model::Model body = *test::small_model();
+    model::Simulation simulation(test::shared(body), options);
     simulation.restore(bulged(body, 8, 0.1));
     const Measured m = measured(simulation);
     EXPECT_EQ(m.row.fold_degree, 8.0);
@@ -113,9 +113,9 @@ TEST(SurfaceArrays, FindAnImposedDegree)
 
 TEST(SurfaceArrays, DoNotDependOnTheNumberOfThreads)
 {
-    const Options options = test::sphere_options(2500);
-    const Model body = *test::small_model();
-    Simulation simulation(test::shared(body), options);
+    const config::Options options = test::sphere_options(2500);
+    const model::Model body = *test::small_model();
+    model::Simulation simulation(test::shared(body), options);
     simulation.restore(bulged(body, 6, 0.05));
     const int threads = thread_count();
     set_thread_count(1);
@@ -123,7 +123,7 @@ TEST(SurfaceArrays, DoNotDependOnTheNumberOfThreads)
     set_thread_count(3);
     const Measured three = measured(simulation);
     set_thread_count(threads);
-    for (const MeasureColumn& column : measure_columns())
+    for (const metrics::MeasureColumn& column : metrics::measure_columns())
     {
         EXPECT_TRUE(column.of(one.row) == column.of(three.row) || column.key == "week") << column.key;
     }
@@ -135,17 +135,17 @@ TEST(SurfaceArrays, DoNotDependOnTheNumberOfThreads)
 
 TEST(Measures, ReadBackFromTheirTable)
 {
-    std::vector<Measures> rows(2);
+    std::vector<metrics::Measures> rows(2);
     rows[1].t = 0.5;
     rows[1].week = 25.5;
     rows[1].gi_zilles = 1.25;
     rows[1].thickness_mean_mm = 1.0 / 3.0;
-    const std::string text = measures_csv(rows);
+    const std::string text = metrics::measures_csv(rows);
     EXPECT_NE(text.find("area_mm2 [mm2]"), std::string::npos);
-    const std::vector<Measures> back = parse_measures_csv(text, "measures.csv");
+    const std::vector<metrics::Measures> back = metrics::parse_measures_csv(text, "measures.csv");
     ASSERT_EQ(back.size(), 2u);
     EXPECT_TRUE(std::isnan(back[0].week)); // no clock
-    for (const MeasureColumn& column : measure_columns())
+    for (const metrics::MeasureColumn& column : metrics::measure_columns())
     {
         EXPECT_TRUE(column.of(back[1]) == column.of(rows[1]) || std::isnan(column.of(rows[1]))) << column.key;
     }

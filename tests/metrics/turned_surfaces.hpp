@@ -81,7 +81,8 @@ inline double edge_for_10000_vertices(double area)
 /// A sphere of about ten thousand vertices, irregular; made once.
 inline TriangleMesh sphere(double radius)
 {
-    static const TriangleMesh unit = make_ellipsoid({1, 1, 1}, edge_for_10000_vertices(4.0 * std::numbers::pi));
+    static const TriangleMesh unit =
+        geometry::make_ellipsoid({1, 1, 1}, edge_for_10000_vertices(4.0 * std::numbers::pi));
     TriangleMesh mesh = unit;
     for (Vec3& v : mesh.vertices)
     {

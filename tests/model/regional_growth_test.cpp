@@ -16,10 +16,10 @@ namespace
 constexpr double radius = 12.496;
 
 /// Sphere of the thesis at 5,000 particles with a regional rate m(X), prepared once a rate.
-Model sphere_with(const std::function<double(const Vec3&)>& regional_rate)
+model::Model sphere_with(const std::function<double(const Vec3&)>& regional_rate)
 {
-    Options options = test::sphere_options(5000);
-    Model body = prepare_body(options).model;
+    config::Options options = test::sphere_options(5000);
+    model::Model body = prepare::prepare_body(options).model;
     for (std::size_t i = 0; i < body.cloud.positions.size(); ++i)
     {
         body.tissue.regional_rate[i] = regional_rate(body.cloud.positions[i]);
@@ -29,7 +29,7 @@ Model sphere_with(const std::function<double(const Vec3&)>& regional_rate)
 
 /// Root mean square angle between neighbouring triangles whose reference centroids lie in the region: about the edge
 /// over the radius, 0.1, on the sphere, and of order one once it has folded.
-double roughness(const Simulation& simulation, const std::function<bool(const Vec3&)>& in_region)
+double roughness(const model::Simulation& simulation, const std::function<bool(const Vec3&)>& in_region)
 {
     const std::vector<Vec3> x = simulation.surface_positions();
     const std::vector<Vec3>& X = simulation.model().surface.vertices;
@@ -59,7 +59,7 @@ double roughness(const Simulation& simulation, const std::function<bool(const Ve
     return std::sqrt(sum / count);
 }
 
-void grow(Simulation& simulation, double t)
+void grow(model::Simulation& simulation, double t)
 {
     while (simulation.state().t < t)
     {
@@ -69,9 +69,9 @@ void grow(Simulation& simulation, double t)
 
 TEST(RegionalGrowth, OnlyTheHalfThatGrowsFolds)
 {
-    const Options options = test::sphere_options(5000);
-    Model body = sphere_with([](const Vec3& X) { return X.x > 0.0 ? 1.0 : 0.0; });
-    Simulation simulation(test::shared(body), options);
+    const config::Options options = test::sphere_options(5000);
+    model::Model body = sphere_with([](const Vec3& X) { return X.x > 0.0 ? 1.0 : 0.0; });
+    model::Simulation simulation(test::shared(body), options);
     // A spacing and more away from the border, which bends between the two.
     const auto growing = [](const Vec3& X) { return X.x > 3.0; };
     const auto still = [](const Vec3& X) { return X.x < -3.0; };
@@ -86,11 +86,11 @@ TEST(RegionalGrowth, OnlyTheHalfThatGrowsFolds)
 
 TEST(RegionalGrowth, ADoubledRateFoldsFirst)
 {
-    const Options options = test::sphere_options(5000);
+    const config::Options options = test::sphere_options(5000);
     const auto fast = [](const Vec3& X) { return X.z > 0.7 * radius; };
     const auto opposite = [](const Vec3& X) { return X.z < -0.7 * radius; };
-    Model body = sphere_with([&](const Vec3& X) { return X.z > 0.5 * norm(X) ? 2.0 : 1.0; });
-    Simulation simulation(test::shared(body), options);
+    model::Model body = sphere_with([&](const Vec3& X) { return X.z > 0.5 * norm(X) ? 2.0 : 1.0; });
+    model::Simulation simulation(test::shared(body), options);
     const double smooth = roughness(simulation, fast);
     const double smooth_opposite = roughness(simulation, opposite);
     double onset_fast = 1.0;

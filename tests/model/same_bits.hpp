@@ -8,7 +8,7 @@
 namespace corticle::test
 {
 
-inline void take_steps(Simulation& simulation, int count)
+inline void take_steps(model::Simulation& simulation, int count)
 {
     for (int k = 0; k < count; ++k)
     {
@@ -16,7 +16,7 @@ inline void take_steps(Simulation& simulation, int count)
     }
 }
 
-inline void expect_same_bits(const Simulation& a, const Simulation& b)
+inline void expect_same_bits(const model::Simulation& a, const model::Simulation& b)
 {
     EXPECT_EQ(a.state().motion.x, b.state().motion.x);
     EXPECT_EQ(a.state().motion.v, b.state().motion.v);

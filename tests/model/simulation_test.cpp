@@ -19,9 +19,9 @@ namespace
 
 /// Positions a little rough, so that no symmetry hides anything; folds are said to be there, so that the loading is
 /// free.
-State rough_start(const Model& body, double amplitude)
+model::State rough_start(const model::Model& body, double amplitude)
 {
-    State state;
+    model::State state;
     state.motion.x = test::perturbed(body.cloud.positions, amplitude * body.cloud.spacing);
     state.motion.v.resize(state.motion.x.size());
     state.onset_t = 0.0;
@@ -37,15 +37,15 @@ using testing::Not;
 
 TEST(Simulation, OneAndTwoThreadsGiveTheSameBits)
 {
-    const Options options = test::sphere_options(2500);
-    const Model body = *test::small_model();
+    const config::Options options = test::sphere_options(2500);
+    const model::Model body = *test::small_model();
     const int threads = thread_count();
     set_thread_count(1);
-    Simulation one(test::shared(body), options);
+    model::Simulation one(test::shared(body), options);
     one.restore(rough_start(body, 0.05));
     take_steps(one, 50);
     set_thread_count(2);
-    Simulation two(test::shared(body), options);
+    model::Simulation two(test::shared(body), options);
     two.restore(rough_start(body, 0.05));
     take_steps(two, 50);
     set_thread_count(threads);
@@ -55,24 +55,24 @@ TEST(Simulation, OneAndTwoThreadsGiveTheSameBits)
 
 TEST(Simulation, GoesOnFromACheckpointToTheSameBits)
 {
-    Options options = test::sphere_options(2500);
+    config::Options options = test::sphere_options(2500);
     options.tissue.thickness_rate_mm = 0.4; // theta follows t
     options.contact.distance = 0.6;         // and contact is at work
-    const Model& body = *test::small_model();
-    Simulation whole(test::shared(body), options);
+    const model::Model& body = *test::small_model();
+    model::Simulation whole(test::shared(body), options);
     whole.restore(rough_start(body, 0.2));
     take_steps(whole, 25);
     EXPECT_GT(whole.contact().active, 0);
-    std::vector<Measures> rows(2);
+    std::vector<metrics::Measures> rows(2);
     rows[1].area_mm2 = 17.25;
-    const Checkpoint checkpoint = to_checkpoint(whole.state(), rows, "case");
+    const record::Checkpoint checkpoint = record::to_checkpoint(whole.state(), rows, "case");
     EXPECT_GT(whole.state().loading_rate, 1.0);
     take_steps(whole, 25);
 
-    const Restored restored = from_checkpoint(checkpoint, body.cloud.positions.size(), "checkpoint.h5");
+    const record::Restored restored = record::from_checkpoint(checkpoint, body.cloud.positions.size(), "checkpoint.h5");
     ASSERT_EQ(restored.rows.size(), 2u);
     EXPECT_EQ(restored.rows[1].area_mm2, 17.25);
-    Simulation resumed(test::small_model(), options);
+    model::Simulation resumed(test::small_model(), options);
     resumed.restore(restored.state);
     take_steps(resumed, 25);
     expect_same_bits(whole, resumed);
@@ -82,30 +82,30 @@ TEST(Simulation, GoesOnFromACheckpointToTheSameBits)
 
 TEST(Simulation, ACheckpointOfAnotherBodyIsRefused)
 {
-    State state;
+    model::State state;
     state.motion.x.resize(10);
     state.motion.v.resize(10);
-    EXPECT_THROW(from_checkpoint(to_checkpoint(state, {}, "case"), 11, "checkpoint.h5"), InputError);
-    EXPECT_THROW(from_checkpoint({}, 10, "checkpoint.h5"), InputError);
+    EXPECT_THROW(record::from_checkpoint(record::to_checkpoint(state, {}, "case"), 11, "checkpoint.h5"), InputError);
+    EXPECT_THROW(record::from_checkpoint({}, 10, "checkpoint.h5"), InputError);
 }
 
 TEST(Simulation, ACheckpointOfAnotherLayoutIsRefusedWithTheVersionThatWroteIt)
 {
-    State state;
+    model::State state;
     state.motion.x.resize(10);
     state.motion.v.resize(10);
-    const std::vector<Measures> rows(2);
-    const Checkpoint whole = to_checkpoint(state, rows, "case", "0.0.7 (abc)");
-    EXPECT_EQ(reached_time(whole, "checkpoint.h5"), 0.0);
-    Checkpoint shorter_clock = whole;
+    const std::vector<metrics::Measures> rows(2);
+    const record::Checkpoint whole = record::to_checkpoint(state, rows, "case", "0.0.7 (abc)");
+    EXPECT_EQ(record::reached_time(whole, "checkpoint.h5"), 0.0);
+    record::Checkpoint shorter_clock = whole;
     shorter_clock.scalars["clock"].pop_back();
-    Checkpoint fewer_columns = whole;
+    record::Checkpoint fewer_columns = whole;
     fewer_columns.scalars.erase("measures.volume_mm3");
-    Checkpoint fewer_counters = whole;
+    record::Checkpoint fewer_counters = whole;
     fewer_counters.integers["counters"].pop_back();
-    for (const Checkpoint& other : {shorter_clock, fewer_columns, fewer_counters})
+    for (const record::Checkpoint& other : {shorter_clock, fewer_columns, fewer_counters})
     {
-        const std::string message = message_of<InputError>([&] { reached_time(other, "checkpoint.h5"); });
+        const std::string message = message_of<InputError>([&] { record::reached_time(other, "checkpoint.h5"); });
         EXPECT_THAT(message, HasSubstr("checkpoint.h5: "));
         EXPECT_THAT(message,
                     ContainsRegex("that version 0.0.7 \\(abc\\) wrote .*; got [038] values of [a-z_.0-9]+; expected "));
@@ -115,12 +115,12 @@ TEST(Simulation, ACheckpointOfAnotherLayoutIsRefusedWithTheVersionThatWroteIt)
 
 TEST(Simulation, TakesBackAStepThatInvertsAParticleAndGoesOn)
 {
-    Options options = test::sphere_options(2500);
+    config::Options options = test::sphere_options(2500);
     options.contact.enabled = false;
     options.dynamics.cfl = 5.0; // far beyond stability
     options.dynamics.max_halvings = 30;
-    const Model body = *test::small_model();
-    Simulation simulation(test::shared(body), options);
+    const model::Model body = *test::small_model();
+    model::Simulation simulation(test::shared(body), options);
     simulation.restore(rough_start(body, 0.1));
     take_steps(simulation, 60);
     EXPECT_GT(simulation.state().rejected_steps, 0);
@@ -136,10 +136,10 @@ TEST(Simulation, TakesBackAStepThatInvertsAParticleAndGoesOn)
 /// Steps taken back again and again, with some accepted between them, never come to max_halvings in a row.
 TEST(Simulation, AStepThatHasCollapsedEndsTheRunWithADiagnosis)
 {
-    const Options options = test::sphere_options(2500);
-    const Model body = *test::small_model();
-    Simulation simulation(test::shared(body), options);
-    State state = rough_start(body, 0.05);
+    const config::Options options = test::sphere_options(2500);
+    const model::Model body = *test::small_model();
+    model::Simulation simulation(test::shared(body), options);
+    model::State state = rough_start(body, 0.05);
     state.step_scale = 1e-6;
     state.rejected_steps = 1234;
     simulation.restore(state);
@@ -151,12 +151,12 @@ TEST(Simulation, AStepThatHasCollapsedEndsTheRunWithADiagnosis)
 
 TEST(Simulation, AStepThatContactMakesTooShortNamesThePair)
 {
-    Options options = test::sphere_options(2500);
+    config::Options options = test::sphere_options(2500);
     options.contact.distance = 2.0; // every vertex and edge has neighbours within
     options.contact.stiffness = 1e14;
-    const Model body = *test::small_model();
-    Simulation simulation(test::shared(body), options);
-    State state = rough_start(body, 0.0);
+    const model::Model body = *test::small_model();
+    model::Simulation simulation(test::shared(body), options);
+    model::State state = rough_start(body, 0.0);
     for (Vec3& x : state.motion.x)
     {
         x *= 0.99; // closer than at rest
@@ -173,11 +173,11 @@ TEST(Simulation, AStepThatContactMakesTooShortNamesThePair)
 /// A crushed body, whose rate has no bound: no endless loop of steps of no length.
 TEST(Simulation, ABodyCrushedToNothingEndsTheRun)
 {
-    Options options = test::sphere_options(2500);
+    config::Options options = test::sphere_options(2500);
     options.contact.enabled = false;
-    const Model body = *test::small_model();
-    Simulation simulation(test::shared(body), options);
-    State state = rough_start(body, 0.0);
+    const model::Model body = *test::small_model();
+    model::Simulation simulation(test::shared(body), options);
+    model::State state = rough_start(body, 0.0);
     for (Vec3& x : state.motion.x)
     {
         x *= 1e-40;
@@ -192,12 +192,12 @@ TEST(Simulation, ABodyCrushedToNothingEndsTheRun)
 
 TEST(Simulation, GivesUpWithADiagnosis)
 {
-    Options options = test::sphere_options(2500);
+    config::Options options = test::sphere_options(2500);
     options.contact.enabled = false;
     options.dynamics.cfl = 5.0;
     options.dynamics.max_halvings = 0;
-    const Model body = *test::small_model();
-    Simulation simulation(test::shared(body), options);
+    const model::Model body = *test::small_model();
+    model::Simulation simulation(test::shared(body), options);
     simulation.restore(rough_start(body, 0.1));
     try
     {
@@ -215,19 +215,19 @@ TEST(Simulation, GivesUpWithADiagnosis)
 
 TEST(Simulation, AnInvertedStartIsRefused)
 {
-    const Options options = test::sphere_options(2500);
-    const Model body = *test::small_model();
-    Simulation simulation(test::shared(body), options);
-    State state = rough_start(body, 0.0);
+    const config::Options options = test::sphere_options(2500);
+    const model::Model body = *test::small_model();
+    model::Simulation simulation(test::shared(body), options);
+    model::State state = rough_start(body, 0.0);
     state.motion.x = test::affine(state.motion.x, Mat3::diagonal(1, 1, -1));
     EXPECT_THROW(simulation.restore(state), RunError);
 }
 
 TEST(Simulation, StopsAtTheTimeItIsToldTo)
 {
-    const Options options = test::sphere_options(2500);
-    const Model body = *test::small_model();
-    Simulation simulation(test::shared(body), options);
+    const config::Options options = test::sphere_options(2500);
+    const model::Model body = *test::small_model();
+    model::Simulation simulation(test::shared(body), options);
     const double t_stop = 2.5 * simulation.step_size();
     int steps = 0;
     for (; simulation.state().t < t_stop; ++steps)
@@ -240,26 +240,26 @@ TEST(Simulation, StopsAtTheTimeItIsToldTo)
 
 TEST(Simulation, LoadingTimeIsCountedInCrossingsOfTheBody)
 {
-    Options options = test::sphere_options(2500);
+    config::Options options = test::sphere_options(2500);
     options.dynamics.loading_time = 40.0;
-    const Model body = *test::small_model();
-    const Simulation simulation(test::shared(body), options);
+    const model::Model body = *test::small_model();
+    const model::Simulation simulation(test::shared(body), options);
     // T = 40 R / c_p with c_p = sqrt(5 + 4/3) at density 1; R from the particles' volumes, which sum to the sphere's.
     EXPECT_NEAR(simulation.total_time() / (40.0 * 12.496 / std::sqrt(5.0 + 4.0 / 3.0)), 1.0, 1e-9);
 }
 
 TEST(Simulation, LoadsFasterOnceFoldsHaveAppeared)
 {
-    Options options = test::sphere_options(2500);
-    const Model body = *test::small_model();
-    Simulation simulation(test::shared(body), options);
+    config::Options options = test::sphere_options(2500);
+    const model::Model body = *test::small_model();
+    model::Simulation simulation(test::shared(body), options);
     while (simulation.state().t < 0.17)
     {
         simulation.step(0.17);
     }
     EXPECT_EQ(simulation.state().loading_rate, 1.0);
 
-    State folded = simulation.state();
+    model::State folded = simulation.state();
     folded.onset_t = 0.17;
     simulation.restore(folded);
     double last = 1.0;
@@ -274,7 +274,7 @@ TEST(Simulation, LoadsFasterOnceFoldsHaveAppeared)
     EXPECT_GT(last, 1.5);
     const double step_in_t = simulation.step_size();
 
-    State snapping = simulation.state();
+    model::State snapping = simulation.state();
     for (Vec3& v : snapping.motion.v)
     {
         v = 10.0 * v;
@@ -285,7 +285,7 @@ TEST(Simulation, LoadsFasterOnceFoldsHaveAppeared)
     EXPECT_LT(simulation.state().loading_rate, last);
 
     options.dynamics.fastest_loading = 1.0;
-    Simulation constant(test::shared(body), options);
+    model::Simulation constant(test::shared(body), options);
     constant.restore(folded);
     take_steps(constant, 10);
     EXPECT_EQ(constant.state().loading_rate, 1.0);

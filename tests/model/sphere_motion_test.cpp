@@ -13,18 +13,18 @@ namespace
 constexpr double radius = 12.496;
 
 /// A state at rest at the given positions and growth time.
-State at_rest(std::vector<Vec3> x, double t = 0.0)
+model::State at_rest(std::vector<Vec3> x, double t = 0.0)
 {
-    State state;
+    model::State state;
     state.motion.v.resize(x.size());
     state.motion.x = std::move(x);
     state.t = t;
     return state;
 }
 
-Options uniform_options(std::int64_t particles)
+config::Options uniform_options(std::int64_t particles)
 {
-    Options options = test::sphere_options(particles);
+    config::Options options = test::sphere_options(particles);
     options.tissue.mu_cortex = 1.0;
     options.tissue.alpha_t = 0.0;
     options.contact.enabled = false;
@@ -33,7 +33,7 @@ Options uniform_options(std::int64_t particles)
 }
 
 /// Amplitude of the first breathing mode, u = j1(k r): the modes are orthogonal with respect to mass.
-double breathing_amplitude(const Model& body, std::span<const Vec3> x)
+double breathing_amplitude(const model::Model& body, std::span<const Vec3> x)
 {
     double sum = 0.0;
     for (std::size_t i = 0; i < x.size(); ++i)
@@ -48,10 +48,10 @@ double breathing_amplitude(const Model& body, std::span<const Vec3> x)
 
 TEST(SphereMotion, BreathesWithThePeriodOfTheory)
 {
-    Options options = uniform_options(4000);
+    config::Options options = uniform_options(4000);
     options.dynamics.loading_time = 14.0; // six and a half periods
-    Model body = prepare_body(options).model;
-    Simulation simulation(test::shared(body), options);
+    model::Model body = prepare::prepare_body(options).model;
+    model::Simulation simulation(test::shared(body), options);
     simulation.restore(at_rest(test::affine(body.cloud.positions, (1.0 + 1e-3) * Mat3::identity())));
     std::vector<double> crossings;
     double before = breathing_amplitude(body, simulation.state().motion.x);
@@ -79,19 +79,19 @@ TEST(SphereMotion, BreathesWithThePeriodOfTheory)
 
 TEST(SphereMotion, EnergyBooksOfADampedVibrationBalance)
 {
-    Options options = uniform_options(2500);
+    config::Options options = uniform_options(2500);
     options.dynamics.loading_time = 4.0;
     options.dynamics.damping = 3.0;
     options.dynamics.cfl = 0.05;
-    const Model body = *test::small_model();
-    Simulation simulation(test::shared(body), options);
+    const model::Model body = *test::small_model();
+    model::Simulation simulation(test::shared(body), options);
     simulation.restore(at_rest(test::affine(body.cloud.positions, Mat3::diagonal(1.01, 1.0, 0.995))));
     const auto stored = [&] { return simulation.internal().elastic_energy + simulation.internal().zero_mode_energy; };
     const double at_start = stored();
     while (simulation.state().t < 1.0)
     {
         simulation.step(1.0);
-        const State& state = simulation.state();
+        const model::State& state = simulation.state();
         // Symplectic Euler keeps an energy that differs from ours by w dt / 2 of the kinetic one; the fastest modes a
         // uniform strain excites have w dt of some 0.05.
         ASSERT_NEAR((stored() + state.kinetic_energy + state.books.dissipated) / at_start, 1.0, 0.02) << state.t;
@@ -102,24 +102,24 @@ TEST(SphereMotion, EnergyBooksOfADampedVibrationBalance)
 
 TEST(SphereMotion, EnergyBooksOfGrowthBalance)
 {
-    Options options = test::sphere_options(2500);
+    config::Options options = test::sphere_options(2500);
     options.contact.enabled = false;
     options.dynamics.cfl = 0.1;
     options.dynamics.loading_time = 100.0;
-    const Model body = *test::small_model();
-    Simulation simulation(test::shared(body), options);
+    const model::Model body = *test::small_model();
+    model::Simulation simulation(test::shared(body), options);
     while (simulation.state().t < 0.1)
     {
         simulation.step(0.1);
     }
-    const State& state = simulation.state();
+    const model::State& state = simulation.state();
     const double stored = simulation.internal().elastic_energy + simulation.internal().zero_mode_energy;
     EXPECT_NEAR((stored + state.kinetic_energy + state.books.dissipated) / state.books.growth_work, 1.0, 0.002);
     EXPECT_LT(state.kinetic_energy, 0.05 * stored);
 }
 
 /// Mean of |x| - |X| over the surface.
-double outer_displacement(const Simulation& simulation)
+double outer_displacement(const model::Simulation& simulation)
 {
     const std::vector<Vec3> x = simulation.surface_positions();
     const std::vector<Vec3>& X = simulation.model().surface.vertices;
@@ -136,19 +136,19 @@ struct Growth
     double g, outer_mm;
 };
 
-class CortexOfTheThesis : public testing::TestWithParam<Method>
+class CortexOfTheThesis : public testing::TestWithParam<model::Method>
 {
 };
 
 TEST_P(CortexOfTheThesis, GrowsAsTheoryBeforeItFolds)
 {
-    Options options = test::sphere_options(GetParam() == Method::fem ? 15000 : 45000);
+    config::Options options = test::sphere_options(GetParam() == model::Method::fem ? 15000 : 45000);
     options.method = GetParam();
-    options.tissue.layer = Layer::binary;
+    options.tissue.layer = material::Layer::binary;
     options.tissue.lambda = 0.75;
     options.tissue.alpha_t = 1.0;
     options.contact.enabled = false;
-    Model body = prepare_body(options).model;
+    model::Model body = prepare::prepare_body(options).model;
     std::vector<Vec3> x = body.cloud.positions;
     for (const auto& [g, outer_mm] : {Growth{1.1, 0.284259}, Growth{1.3, 0.837864}})
     {
@@ -157,7 +157,7 @@ TEST_P(CortexOfTheThesis, GrowsAsTheoryBeforeItFolds)
         const double hold = 1e-3;
         options.dynamics.loading_time = 12.0 / hold;
         options.dynamics.damping = 2.0 * 2.911346 * options.dynamics.loading_time;
-        Simulation simulation(test::shared(body), options);
+        model::Simulation simulation(test::shared(body), options);
         simulation.restore(at_rest(x, g - 1.0 - hold));
         while (simulation.state().t < g - 1.0)
         {
@@ -173,8 +173,8 @@ TEST_P(CortexOfTheThesis, GrowsAsTheoryBeforeItFolds)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, CortexOfTheThesis, testing::Values(Method::tlsph, Method::fem),
-                         [](const auto& method) { return method.param == Method::fem ? "fem" : "tlsph"; });
+INSTANTIATE_TEST_SUITE_P(Methods, CortexOfTheThesis, testing::Values(model::Method::tlsph, model::Method::fem),
+                         [](const auto& method) { return method.param == model::Method::fem ? "fem" : "tlsph"; });
 
 } // namespace
 } // namespace corticle

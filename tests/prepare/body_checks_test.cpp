@@ -20,9 +20,9 @@ using testing::HasSubstr;
 /// Five places 0 to 4 mm deep.
 struct Column
 {
-    Options options;
+    config::Options options;
     std::vector<Vec3> places;
-    TissueFields tissue;
+    material::TissueFields tissue;
 
     Column()
     {
@@ -34,7 +34,7 @@ struct Column
     }
     std::string refusal()
     {
-        return message_of<InputError>([&] { require_cortex(options, places, tissue); });
+        return message_of<InputError>([&] { prepare::require_cortex(options, places, tissue); });
     }
 };
 
@@ -53,7 +53,7 @@ TEST(BodyChecks, ACortexThatIsTheWholeBodyIsRefused)
     column.options.tissue.thickness_mm = 8.0;
     EXPECT_THAT(column.refusal(), HasSubstr("the cortex of 8 mm is thicker than the body (largest depth 4 mm)"));
     EXPECT_THAT(column.refusal(), Not(HasSubstr("unit")));
-    column.options.geometry.shape = Shape::file;
+    column.options.geometry.shape = prepare::Shape::file;
     column.options.geometry.file = "brain.stl";
     EXPECT_THAT(column.refusal(), HasSubstr("is geometry.unit right?"));
     column.options.geometry.file = "labels.nii.gz";
@@ -76,17 +76,18 @@ TEST(BodyChecks, AThicknessThatComesToNothingSomewhereIsRefused)
 
 TEST(BodyChecks, ABodyFarFromTheSizeOfABrainIsSaid)
 {
-    Options options;
-    Model body;
+    config::Options options;
+    model::Model body;
     body.cloud.volumes.assign(1000, 1e-6);
-    EXPECT_EQ(size_warning(options, body), ""); // a built-in shape may be a model of anything
-    options.geometry.shape = Shape::file;
+    EXPECT_EQ(prepare::size_warning(options, body), ""); // a built-in shape may be a model of anything
+    options.geometry.shape = prepare::Shape::file;
     options.geometry.file = "brain.stl";
-    EXPECT_THAT(size_warning(options, body), HasSubstr("0.001 mm³ is far smaller than any brain; is geometry.unit"));
+    EXPECT_THAT(prepare::size_warning(options, body),
+                HasSubstr("0.001 mm³ is far smaller than any brain; is geometry.unit"));
     body.cloud.volumes.assign(1000, 1e5);
-    EXPECT_THAT(size_warning(options, body), HasSubstr("far larger than any brain"));
+    EXPECT_THAT(prepare::size_warning(options, body), HasSubstr("far larger than any brain"));
     body.cloud.volumes.assign(1000, 300.0);
-    EXPECT_EQ(size_warning(options, body), "");
+    EXPECT_EQ(prepare::size_warning(options, body), "");
 }
 
 } // namespace corticle

@@ -46,7 +46,7 @@ class BodyMapsTest : public ::testing::Test
     template <class Label>
     std::string volume_map(std::string_view name, Label&& label) const
     {
-        LabelVolume image{{24, 24, 24}, {Mat3::identity(), {-11.5, -11.5, -11.5}}, {}, {}};
+        imaging::LabelVolume image{{24, 24, 24}, {Mat3::identity(), {-11.5, -11.5, -11.5}}, {}, {}};
         for (int z = 0; z < 24; ++z)
         {
             for (int y = 0; y < 24; ++y)
@@ -57,18 +57,21 @@ class BodyMapsTest : public ::testing::Test
                 }
             }
         }
-        write_nifti(folder_ / name, image);
+        formats::write_nifti(folder_ / name, image);
         return (folder_ / name).string();
     }
 
-    BodyMaps read(const MapOptions& options) const { return read_body_maps(options, ball_, points_); }
-    std::string refusal(const MapOptions& options) const
+    prepare::BodyMaps read(const prepare::MapOptions& options) const
+    {
+        return prepare::read_body_maps(options, ball_, points_);
+    }
+    std::string refusal(const prepare::MapOptions& options) const
     {
         return message_of<InputError>([&] { read(options); });
     }
 
     TemporaryFolder folder_;
-    TriangleMesh ball_ = make_ellipsoid({10.0, 10.0, 10.0}, 1.0);
+    TriangleMesh ball_ = geometry::make_ellipsoid({10.0, 10.0, 10.0}, 1.0);
     std::vector<Vec3> points_{{9.0, 0.0, 0.0}, {-5.0, 1.0, 2.0}, {0.0, 8.0, 0.5}, {3.0, -4.0, -6.0}};
 };
 
@@ -76,17 +79,17 @@ class BodyMapsTest : public ::testing::Test
 
 TEST_F(BodyMapsTest, NoMapsGiveTheSameGrowthEverywhere)
 {
-    const BodyMaps maps = read({});
+    const prepare::BodyMaps maps = read({});
     EXPECT_EQ(maps.growth, std::vector<double>(points_.size(), 1.0));
     EXPECT_TRUE(maps.thickness.empty());
 }
 
 TEST_F(BodyMapsTest, NumbersAreInterpolatedAtTheClosestPoint)
 {
-    MapOptions options;
+    prepare::MapOptions options;
     options.growth_file = vertex_map("growth.csv", [](const Vec3& X) { return 1.0 + 0.05 * X.x; });
     options.thickness_file = vertex_map("thickness.csv", [](const Vec3& X) { return 2.0 + 0.1 * X.z; });
-    const BodyMaps maps = read(options);
+    const prepare::BodyMaps maps = read(options);
     for (std::size_t i = 0; i < points_.size(); ++i)
     {
         // Exact but for the facets, on which the closest point is up to 0.4 mm beside the ray.
@@ -98,7 +101,7 @@ TEST_F(BodyMapsTest, NumbersAreInterpolatedAtTheClosestPoint)
 
 TEST_F(BodyMapsTest, RegionsTakeTheirFactorFromTheTable)
 {
-    MapOptions options;
+    prepare::MapOptions options;
     options.region_file = vertex_map("regions.csv", [](const Vec3& X) { return X.x > 0.0 ? 2 : 1; });
     options.region_table = write("table.csv", "label,growth\n1,0.5\n2,3\n");
     EXPECT_EQ(read(options).growth, (std::vector<double>{3.0, 0.5, read(options).growth[2], 3.0}));
@@ -108,13 +111,13 @@ TEST_F(BodyMapsTest, RegionsTakeTheirFactorFromTheTable)
 
 TEST_F(BodyMapsTest, RegionsMayHaveTheirOwnOnsetAndRate)
 {
-    MapOptions options;
+    prepare::MapOptions options;
     options.region_file = vertex_map("regions.csv", [](const Vec3& X) { return X.x > 0.0 ? 2 : 1; });
     options.region_table = write("table.csv", "label,growth\n1,0.5\n2,3\n");
     EXPECT_TRUE(read(options).onset.empty());
     EXPECT_TRUE(read(options).rate.empty());
     options.region_table = write("late.csv", "label,onset,growth\n1,0.25,1\n2,-0.5,1\n");
-    BodyMaps maps = read(options);
+    prepare::BodyMaps maps = read(options);
     EXPECT_EQ(maps.onset, (std::vector<double>{-0.5, 0.25, maps.onset[2], -0.5}));
     EXPECT_TRUE(maps.rate.empty());
     options.region_table = write("fast.csv", "label,growth,rate\n1,1,2\n2,1,0.5\n");
@@ -128,7 +131,7 @@ TEST_F(BodyMapsTest, RegionsMayHaveTheirOwnOnsetAndRate)
 
 TEST_F(BodyMapsTest, WhatIsStillDoesNotGrow)
 {
-    MapOptions options;
+    prepare::MapOptions options;
     options.growth_file = vertex_map("growth.csv", [](const Vec3&) { return 2.0; });
     options.still_file = volume_map("still.nii", [](const Vec3& X) { return X.z < -1.0 ? 1 : 0; });
     const std::vector<double> growth = read(options).growth;
@@ -138,7 +141,7 @@ TEST_F(BodyMapsTest, WhatIsStillDoesNotGrow)
 
 TEST_F(BodyMapsTest, RefusesInOneLine)
 {
-    MapOptions options;
+    prepare::MapOptions options;
     options.growth_file = write("short.csv", "1\n2\n3\n");
     EXPECT_NE(refusal(options).find(fmt::format("{}", ball_.vertices.size())), std::string::npos);
     options.growth_file = vertex_map("nan.csv", [](const Vec3& X) { return X.x > 9.0 ? std::nan("") : 1.0; });
@@ -160,16 +163,16 @@ TEST_F(BodyMapsTest, RefusesInOneLine)
 
 TEST_F(BodyMapsTest, MapsByVerticesNeedASurface)
 {
-    MapOptions options;
+    prepare::MapOptions options;
     options.growth_file = vertex_map("growth.csv", [](const Vec3&) { return 1.0; });
-    EXPECT_NE(
-        message_of<InputError>([&] { read_body_maps(options, {}, points_); }).find("not made from a surface file"),
-        std::string::npos);
+    EXPECT_NE(message_of<InputError>([&] { prepare::read_body_maps(options, {}, points_); })
+                  .find("not made from a surface file"),
+              std::string::npos);
 }
 
 TEST_F(BodyMapsTest, JudgesAndReportsWhatFallsBetweenThePoints)
 {
-    MapOptions options;
+    prepare::MapOptions options;
     // A number out of range at one vertex that no point is near.
     options.growth_file = vertex_map("spike.csv", [](const Vec3& X) { return X.z > 9.9 ? -1.0 : 1.0; });
     EXPECT_NE(refusal(options).find("holds -1 at vertex"), std::string::npos) << refusal(options);
@@ -177,7 +180,7 @@ TEST_F(BodyMapsTest, JudgesAndReportsWhatFallsBetweenThePoints)
     options.growth_file = vertex_map("peak.csv", [](const Vec3& X) { return X.z > 9.0 ? 3.0 : 1.0; });
     options.region_file = vertex_map("regions.csv", [](const Vec3& X) { return X.z > 9.0 ? 7 : 1; });
     options.region_table = write("table.csv", "label,name,growth\n1,frontal,1\n7,top,2\n9,none,2\n");
-    const BodyMaps maps = read(options);
+    const prepare::BodyMaps maps = read(options);
     EXPECT_THAT(maps.notes, Contains(HasSubstr("map.growth_file: 1 to 3 at")));
     EXPECT_THAT(maps.notes, Contains(HasSubstr("columns not used: name")));
     EXPECT_THAT(maps.notes, Contains(HasSubstr("labels at no point of the body: 7, 9")));
@@ -187,7 +190,7 @@ TEST_F(BodyMapsTest, JudgesAndReportsWhatFallsBetweenThePoints)
 
 TEST_F(BodyMapsTest, VolumesMustHoldTheBody)
 {
-    MapOptions options;
+    prepare::MapOptions options;
     options.still_file = volume_map("still.nii", [](const Vec3& X) { return X.z > 11.0 ? 1 : 0; });
     EXPECT_THAT(read(options).warnings, ElementsAre(HasSubstr("no point of the body lies in this mask")));
     points_.push_back({40.0, 0.0, 0.0});

@@ -14,9 +14,9 @@ namespace corticle
 TEST(BodyFile, ReadsBackToTheSameBits)
 {
     const TemporaryFolder folder;
-    const Options options = test::sphere_options(2500);
-    Preparation made{*test::small_model(), {}};
-    Model& written = made.model;
+    const config::Options options = test::sphere_options(2500);
+    prepare::Preparation made{*test::small_model(), {}};
+    model::Model& written = made.model;
     for (std::size_t i = 0; i < written.cloud.positions.size(); ++i)
     {
         const double x = written.cloud.positions[i].x;
@@ -25,11 +25,11 @@ TEST(BodyFile, ReadsBackToTheSameBits)
         written.tissue.growth_rate.push_back(2.0 + 0.03 * x);
         written.tissue.thickness.push_back(2.0 + 0.04 * x);
     }
-    connect_body(options, made);
-    write_body(folder / "body.h5", made, options);
-    Preparation read = read_body(folder / "body.h5", options);
-    connect_body(options, read);
-    const Model& body = read.model;
+    prepare::connect_body(options, made);
+    record::write_body(folder / "body.h5", made, options);
+    prepare::Preparation read = record::read_body(folder / "body.h5", options);
+    prepare::connect_body(options, read);
+    const model::Model& body = read.model;
     EXPECT_EQ(body.cloud.positions, written.cloud.positions);
     EXPECT_EQ(body.cloud.volumes, written.cloud.volumes);
     EXPECT_EQ(body.cloud.surface_particles, written.cloud.surface_particles);
@@ -50,26 +50,26 @@ TEST(BodyFile, ReadsBackToTheSameBits)
 TEST(BodyFile, TissueMayDifferAndGeometryMayNot)
 {
     const TemporaryFolder folder;
-    write_body(folder / "body.h5", {*test::small_model(), {}}, test::sphere_options(2500));
-    Options options = test::sphere_options(2500);
+    record::write_body(folder / "body.h5", {*test::small_model(), {}}, test::sphere_options(2500));
+    config::Options options = test::sphere_options(2500);
     options.tissue.mu_cortex = 2.0;
-    EXPECT_NO_THROW(read_body(folder / "body.h5", options));
+    EXPECT_NO_THROW(record::read_body(folder / "body.h5", options));
     options.geometry.seed = 2;
-    const std::string message = message_of<InputError>([&] { read_body(folder / "body.h5", options); });
+    const std::string message = message_of<InputError>([&] { record::read_body(folder / "body.h5", options); });
     EXPECT_NE(message.find("geometry.seed: 1 -> 2"), std::string::npos) << message;
 }
 
 TEST(BodyFile, RefusesWhatIsNoBody)
 {
     const TemporaryFolder folder;
-    const Options options = test::sphere_options(2500);
-    EXPECT_THROW(read_body(folder / "none.h5", options), InputError);
+    const config::Options options = test::sphere_options(2500);
+    EXPECT_THROW(record::read_body(folder / "none.h5", options), InputError);
     put_bytes(folder / "text.h5", "no body");
-    EXPECT_THROW(read_body(folder / "text.h5", options), InputError);
-    Checkpoint checkpoint;
+    EXPECT_THROW(record::read_body(folder / "text.h5", options), InputError);
+    record::Checkpoint checkpoint;
     checkpoint.vectors["position"] = {{0.0, 0.0, 0.0}};
-    write_checkpoint(folder / "checkpoint.h5", checkpoint);
-    const std::string message = message_of<InputError>([&] { read_body(folder / "checkpoint.h5", options); });
+    record::write_checkpoint(folder / "checkpoint.h5", checkpoint);
+    const std::string message = message_of<InputError>([&] { record::read_body(folder / "checkpoint.h5", options); });
     EXPECT_NE(message.find("corticle prepare"), std::string::npos) << message;
 }
 

@@ -20,9 +20,9 @@ namespace
 
 using ::testing::HasSubstr;
 
-Checkpoint sample()
+record::Checkpoint sample()
 {
-    Checkpoint checkpoint;
+    record::Checkpoint checkpoint;
     checkpoint.program_version = "0.1.0";
     checkpoint.case_text = "title = \"a case\"\nnumber = 1\n";
     checkpoint.vectors["position"] = {{1, 2, 3}, {1.0 / 3, -0.0, 1e-310}, {7, 8, 9}};
@@ -37,8 +37,8 @@ Checkpoint sample()
 TEST(Checkpoint, ComesBackToTheBit)
 {
     const TemporaryFolder folder;
-    write_checkpoint(folder / "checkpoint.h5", sample());
-    const Checkpoint read = read_checkpoint(folder / "checkpoint.h5");
+    record::write_checkpoint(folder / "checkpoint.h5", sample());
+    const record::Checkpoint read = record::read_checkpoint(folder / "checkpoint.h5");
     EXPECT_EQ(read.program_version, sample().program_version);
     EXPECT_EQ(read.case_text, sample().case_text);
     EXPECT_EQ(read.vectors, sample().vectors);
@@ -51,17 +51,17 @@ TEST(Checkpoint, ComesBackToTheBit)
 TEST(Checkpoint, SameStateSameBytes)
 {
     const TemporaryFolder folder;
-    write_checkpoint(folder / "a.h5", sample());
-    write_checkpoint(folder / "b.h5", sample());
+    record::write_checkpoint(folder / "a.h5", sample());
+    record::write_checkpoint(folder / "b.h5", sample());
     EXPECT_EQ(bytes_of(folder / "a.h5"), bytes_of(folder / "b.h5"));
-    write_checkpoint(folder / "b.h5", Checkpoint{});
-    EXPECT_TRUE(read_checkpoint(folder / "b.h5").vectors.empty());
+    record::write_checkpoint(folder / "b.h5", record::Checkpoint{});
+    EXPECT_TRUE(record::read_checkpoint(folder / "b.h5").vectors.empty());
 }
 
 TEST(Checkpoint, IsAnHdf5File)
 {
     const TemporaryFolder folder;
-    write_checkpoint(folder / "a.h5", sample());
+    record::write_checkpoint(folder / "a.h5", sample());
     EXPECT_GT(H5Fis_hdf5((folder / "a.h5").c_str()), 0);
     const hid_t file = H5Fopen((folder / "a.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
     ASSERT_GE(file, 0);
@@ -73,12 +73,12 @@ TEST(Checkpoint, IsAnHdf5File)
 TEST(Checkpoint, RefusesEveryTruncation)
 {
     const TemporaryFolder folder;
-    write_checkpoint(folder / "a.h5", sample());
+    record::write_checkpoint(folder / "a.h5", sample());
     const std::string bytes = bytes_of(folder / "a.h5");
     for (std::size_t size = 0; size < bytes.size(); size += 97)
     {
         put_bytes(folder / "cut.h5", bytes.substr(0, size));
-        const std::string message = message_of<InputError>([&] { read_checkpoint(folder / "cut.h5"); });
+        const std::string message = message_of<InputError>([&] { record::read_checkpoint(folder / "cut.h5"); });
         EXPECT_THAT(message, HasSubstr("cut.h5: ")) << size;
         EXPECT_EQ(message.find('\n'), std::string::npos);
     }
@@ -87,37 +87,37 @@ TEST(Checkpoint, RefusesEveryTruncation)
 TEST(Checkpoint, RefusesEveryChangedByte)
 {
     const TemporaryFolder folder;
-    write_checkpoint(folder / "a.h5", sample());
+    record::write_checkpoint(folder / "a.h5", sample());
     const std::string bytes = bytes_of(folder / "a.h5");
     for (std::size_t at = 0; at < bytes.size(); at += at < 600 ? 1 : 61)
     {
         std::string damaged = bytes;
         damaged[at] = static_cast<char>(damaged[at] ^ 4);
         put_bytes(folder / "bad.h5", damaged);
-        EXPECT_THROW(read_checkpoint(folder / "bad.h5"), InputError) << at;
+        EXPECT_THROW(record::read_checkpoint(folder / "bad.h5"), InputError) << at;
     }
 }
 
 TEST(Checkpoint, RefusesForeignFiles)
 {
     const TemporaryFolder folder;
-    EXPECT_THAT(message_of<InputError>([&] { read_checkpoint(folder / "none.h5"); }),
+    EXPECT_THAT(message_of<InputError>([&] { record::read_checkpoint(folder / "none.h5"); }),
                 HasSubstr("none.h5: cannot be opened"));
     H5Fclose(H5Fcreate((folder / "foreign.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
-    EXPECT_THAT(message_of<InputError>([&] { read_checkpoint(folder / "foreign.h5"); }),
+    EXPECT_THAT(message_of<InputError>([&] { record::read_checkpoint(folder / "foreign.h5"); }),
                 HasSubstr("not a checkpoint of this program"));
 }
 
 TEST(Checkpoint, KeepsTheEarlierOneWhenWritingFails)
 {
     const TemporaryFolder folder;
-    Checkpoint bad = sample();
+    record::Checkpoint bad = sample();
     bad.scalars[""] = {1.0}; // HDF5 has no nameless data
-    write_checkpoint(folder / "a.h5", sample());
-    EXPECT_THROW(write_checkpoint(folder / "a.h5", bad), RunError);
-    EXPECT_EQ(read_checkpoint(folder / "a.h5").case_text, sample().case_text);
+    record::write_checkpoint(folder / "a.h5", sample());
+    EXPECT_THROW(record::write_checkpoint(folder / "a.h5", bad), RunError);
+    EXPECT_EQ(record::read_checkpoint(folder / "a.h5").case_text, sample().case_text);
     EXPECT_EQ(folder.file_count(), 1u);
-    EXPECT_THAT(message_of<RunError>([&] { write_checkpoint(folder / "none/a.h5", sample()); }),
+    EXPECT_THAT(message_of<RunError>([&] { record::write_checkpoint(folder / "none/a.h5", sample()); }),
                 HasSubstr("No such file"));
 }
 

@@ -37,19 +37,19 @@ TEST(ResultFolder, RemovesWhatItWroteAndNothingElse)
     const TemporaryFolder place;
     const std::filesystem::path out = place / "out";
     {
-        ResultFolder folder(out, "run");
+        record::ResultFolder folder(out, "run");
         EXPECT_FALSE(std::filesystem::exists(out));
         folder.make();
         folder.claim(Files{"a.csv", "pictures/b.png", "never.txt"});
-        write_text_atomically(out / "a.csv", "ours");
-        write_text_atomically(out / "pictures/b.png", "ours");
+        formats::write_text_atomically(out / "a.csv", "ours");
+        formats::write_text_atomically(out / "pictures/b.png", "ours");
     }
     for (const char* name : {"c.csv", "pictures/d.png", ".x.tmp", ".a.csv.tmp", ".c.csv.12-3.tmp"})
     {
-        write_text_atomically(out / name, "mine");
+        formats::write_text_atomically(out / name, "mine");
     }
-    write_text_atomically(out / ".a.csv.12-3.tmp", "left by a kill");
-    ResultFolder folder(out, "run");
+    formats::write_text_atomically(out / ".a.csv.12-3.tmp", "left by a kill");
+    record::ResultFolder folder(out, "run");
     EXPECT_TRUE(folder.is_used());
     folder.remove_written();
     EXPECT_FALSE(folder.is_used());
@@ -66,11 +66,11 @@ TEST(ResultFolder, RemovesWhatItWroteAndNothingElse)
 TEST(ResultFolder, RefusesToReplaceWhatItDidNotWrite)
 {
     const TemporaryFolder place;
-    write_text_atomically(place / "a.csv", "mine");
-    write_text_atomically(place / "pictures", "mine");
+    formats::write_text_atomically(place / "a.csv", "mine");
+    formats::write_text_atomically(place / "pictures", "mine");
     std::filesystem::create_symlink("nowhere", place / "link");
     std::filesystem::create_directory(place / "folder");
-    ResultFolder folder(place / "", "run");
+    record::ResultFolder folder(place / "", "run");
     for (const char* name : {"a.csv", "link", "folder", "pictures/b.png"})
     {
         const std::string line = message_of([&] { folder.claim(Files{"new", name}); });
@@ -79,7 +79,7 @@ TEST(ResultFolder, RefusesToReplaceWhatItDidNotWrite)
     }
     EXPECT_FALSE(std::filesystem::exists(place / "corticle-files.txt"));
     folder.claim(Files{"new"});
-    write_text_atomically(place / "new", "ours");
+    formats::write_text_atomically(place / "new", "ours");
     folder.claim(Files{"new"});
     std::filesystem::remove(place / "new");
     std::filesystem::create_directory(place / "new");
@@ -92,46 +92,48 @@ TEST(ResultFolder, BelongsToOneKindAndOneProcess)
 {
     const TemporaryFolder place;
     const std::filesystem::path out = place / "out";
-    std::optional<ResultFolder> first(std::in_place, out, "run");
-    std::optional<ResultFolder> late(std::in_place, out, "run");
+    std::optional<record::ResultFolder> first(std::in_place, out, "run");
+    std::optional<record::ResultFolder> late(std::in_place, out, "run");
     first->make();
-    EXPECT_THAT(message_of([&] { ResultFolder(out, "run"); }), testing::HasSubstr("another process"));
+    EXPECT_THAT(message_of([&] { record::ResultFolder(out, "run"); }), testing::HasSubstr("another process"));
     EXPECT_THAT(message_of([&] { late->make(); }), testing::HasSubstr("another process"));
     first->claim(Files{"a"});
     first.reset();
     EXPECT_THAT(message_of([&] { late->make(); }), testing::HasSubstr("meanwhile"));
     late.reset();
-    ResultFolder(out, "run");
+    record::ResultFolder(out, "run");
 }
 
 TEST(ResultFolder, RefusesFoldersOfAnotherKind)
 {
     const TemporaryFolder place;
-    ResultFolder(place / "", "export").claim(Files{"a"});
-    EXPECT_THAT(message_of([&] { ResultFolder(place / "", "run"); }), testing::HasSubstr("holds an export"));
+    record::ResultFolder(place / "", "export").claim(Files{"a"});
+    EXPECT_THAT(message_of([&] { record::ResultFolder(place / "", "run"); }), testing::HasSubstr("holds an export"));
 }
 
 TEST(ResultFolder, RefusesADamagedOrForeignList)
 {
     const TemporaryFolder place;
-    ResultFolder(place / "", "run").claim(Files{"a"});
+    record::ResultFolder(place / "", "run").claim(Files{"a"});
     const std::string list = bytes_of(place / "corticle-files.txt");
     for (const std::string& content :
          {std::string("shopping\n"), std::string(), list + "../b\n", list + "/etc/passwd\n", list + "\n"})
     {
-        write_text_atomically(place / "corticle-files.txt", content);
-        EXPECT_THAT(message_of([&] { ResultFolder(place / "", "run"); }), testing::HasSubstr("corticle-files.txt"));
+        formats::write_text_atomically(place / "corticle-files.txt", content);
+        EXPECT_THAT(message_of([&] { record::ResultFolder(place / "", "run"); }),
+                    testing::HasSubstr("corticle-files.txt"));
     }
 }
 
 TEST(ResultFolder, RefusesNamesThatTheSystemDoesNotTake)
 {
     const TemporaryFolder place;
-    write_text_atomically(place / "file", "");
+    formats::write_text_atomically(place / "file", "");
     const std::string longest(300, 'x');
-    EXPECT_THAT(message_of([&] { ResultFolder(place / longest, "run"); }), testing::HasSubstr("too long"));
-    EXPECT_THAT(message_of([&] { ResultFolder(place / "file", "run"); }), testing::HasSubstr("not a folder"));
-    EXPECT_THAT(message_of([&] { ResultFolder(place / "file/out", "run"); }), testing::HasSubstr("not a folder"));
+    EXPECT_THAT(message_of([&] { record::ResultFolder(place / longest, "run"); }), testing::HasSubstr("too long"));
+    EXPECT_THAT(message_of([&] { record::ResultFolder(place / "file", "run"); }), testing::HasSubstr("not a folder"));
+    EXPECT_THAT(message_of([&] { record::ResultFolder(place / "file/out", "run"); }),
+                testing::HasSubstr("not a folder"));
 }
 
 } // namespace corticle

@@ -46,7 +46,7 @@ double area(const TriangleMesh& surface)
 
 TEST(Delaunay, WithoutALimitTheBoundaryIsTheConvexHull)
 {
-    const DelaunayBody body = delaunay_body(lattice(5, [](const Vec3&) { return true; }), none, "points");
+    const study::DelaunayBody body = study::delaunay_body(lattice(5, [](const Vec3&) { return true; }), none, "points");
     EXPECT_NEAR(mesh_volume(body.mesh), 64.0, 1.0);
     EXPECT_NEAR(area(body.boundary.surface), 96.0, 1.0);
     EXPECT_EQ(body.points_left_out, 0);
@@ -60,8 +60,8 @@ TEST(Delaunay, WithoutALimitTheBoundaryIsTheConvexHull)
 TEST(Delaunay, TheLimitDecidesWhetherASulcusIsBridged)
 {
     const auto points = lattice(9, [](const Vec3& p) { return !(p.x > 3.5 && p.x < 5.5 && p.y > 2.5); });
-    const DelaunayBody open = delaunay_body(points, 1.2, "points");
-    const DelaunayBody bridged = delaunay_body(points, none, "points");
+    const study::DelaunayBody open = study::delaunay_body(points, 1.2, "points");
+    const study::DelaunayBody bridged = study::delaunay_body(points, none, "points");
     // The slit is 3 wide, 6 deep and 8 long.
     EXPECT_NEAR(mesh_volume(bridged.mesh), 512.0, 5.0);
     EXPECT_NEAR(mesh_volume(open.mesh), 512.0 - 144.0, 10.0);
@@ -71,9 +71,9 @@ TEST(Delaunay, TheLimitDecidesWhetherASulcusIsBridged)
 TEST(Delaunay, ALimitThatLeavesNothingIsRefused)
 {
     const auto points = lattice(3, [](const Vec3&) { return true; });
-    EXPECT_THROW(delaunay_body(points, 0.1, "points"), InputError);
+    EXPECT_THROW(study::delaunay_body(points, 0.1, "points"), InputError);
     const std::vector<Vec3> plane{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}};
-    EXPECT_THROW(delaunay_body(plane, 10.0, "points"), InputError);
+    EXPECT_THROW(study::delaunay_body(plane, 10.0, "points"), InputError);
 }
 
 } // namespace

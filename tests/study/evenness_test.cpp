@@ -37,7 +37,7 @@ LatticeCloud lattice_cloud()
 TEST(Evenness, OfALatticeIsPerfect)
 {
     const auto [positions, depths] = lattice_cloud();
-    const Evenness evenness = measure_evenness(positions, depths, 1.0, 2.3);
+    const study::Evenness evenness = study::measure_evenness(positions, depths, 1.0, 2.3);
     EXPECT_EQ(evenness.particles, side * side * side);
     EXPECT_DOUBLE_EQ(evenness.closest_pair, 1.0);
     EXPECT_DOUBLE_EQ(evenness.nearest_mean, 1.0);
@@ -59,7 +59,7 @@ TEST(Evenness, OfChanceIsNot)
         cloud.positions[i] = X;
         cloud.depths[i] = std::min({X.x, X.y, X.z, side - X.x, side - X.y, side - X.z});
     }
-    const Evenness evenness = measure_evenness(cloud.positions, cloud.depths, 1.0, 2.3);
+    const study::Evenness evenness = study::measure_evenness(cloud.positions, cloud.depths, 1.0, 2.3);
     // Nearest neighbours of a Poisson process: mean Gamma(4/3) (3 / 4 pi)^(1/3), standard deviation 0.36 of it. The
     // faces, beyond which there is nothing, lengthen the mean a little.
     EXPECT_NEAR(evenness.nearest_mean, 0.554, 0.04);
@@ -77,7 +77,7 @@ TEST(Evenness, NamesShapeMatricesThatAreSingular)
     {
         positions.push_back({k / 10 * 1.0, k % 10 * 1.0, 0.0});
     }
-    const Evenness evenness = measure_evenness(positions, std::vector<double>(100, 0.0), 1.0, 2.3);
+    const study::Evenness evenness = study::measure_evenness(positions, std::vector<double>(100, 0.0), 1.0, 2.3);
     EXPECT_EQ(evenness.ill_conditioned, 100);
     EXPECT_GT(evenness.worst_condition, 1e6);
 }

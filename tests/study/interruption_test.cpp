@@ -34,12 +34,12 @@ struct sigaction action_of(int signal)
 
 TEST(Interruption, EverySignalIsARequestHoweverOftenItComes)
 {
-    for (const int signal : interrupting_signals)
+    for (const int signal : study::interrupting_signals)
     {
-        const InterruptionGuard guard;
-        EXPECT_FALSE(InterruptionGuard::requested());
+        const study::InterruptionGuard guard;
+        EXPECT_FALSE(study::InterruptionGuard::requested());
         raise(signal);
-        EXPECT_TRUE(InterruptionGuard::requested());
+        EXPECT_TRUE(study::InterruptionGuard::requested());
         raise(signal);
         raise(signal);
     }
@@ -52,7 +52,7 @@ TEST(Interruption, RestoresTheHandlersItFound)
     std::signal(SIGUSR1, SIG_IGN);
     caught = 0;
     {
-        const InterruptionGuard guard;
+        const study::InterruptionGuard guard;
         raise(SIGINT);
         EXPECT_EQ(caught, 0);
     }
@@ -67,9 +67,9 @@ TEST(Interruption, AHangupThatIsIgnoredStaysSo)
 {
     std::signal(SIGHUP, SIG_IGN);
     {
-        const InterruptionGuard guard;
+        const study::InterruptionGuard guard;
         raise(SIGHUP);
-        EXPECT_FALSE(InterruptionGuard::requested());
+        EXPECT_FALSE(study::InterruptionGuard::requested());
     }
     std::signal(SIGHUP, SIG_DFL);
 }
@@ -79,7 +79,7 @@ TEST(Interruption, ASecondCtrlCASecondLaterEndsTheProcess)
     const pid_t child = fork();
     if (child == 0)
     {
-        const InterruptionGuard guard;
+        const study::InterruptionGuard guard;
         raise(SIGINT);
         raise(SIGTERM);
         usleep(1'100'000);

@@ -15,26 +15,26 @@ namespace corticle
 namespace
 {
 
-Options thesis_sphere()
+config::Options thesis_sphere()
 {
-    Options options = test::sphere_options(4000);
-    options.tissue.layer = Layer::binary;
+    config::Options options = test::sphere_options(4000);
+    options.tissue.layer = material::Layer::binary;
     options.tissue.lambda = 0.75;
     return options;
 }
 
 struct Compared
 {
-    Model body;
-    PreparationComparison comparison;
+    model::Model body;
+    study::PreparationComparison comparison;
 };
 
 const Compared& compared()
 {
     static const Compared once = []
     {
-        Compared result{prepare_body(thesis_sphere()).model, {}};
-        result.comparison = compare_preparation(result.body, thesis_sphere());
+        Compared result{prepare::prepare_body(thesis_sphere()).model, {}};
+        result.comparison = study::compare_preparation(result.body, thesis_sphere());
         return result;
     }();
     return once;
@@ -42,7 +42,7 @@ const Compared& compared()
 
 TEST(PreparationComparison, OursIsNearTheExactAnswerAndTheThesisIsNot)
 {
-    const PreparationComparison& c = compared().comparison;
+    const study::PreparationComparison& c = compared().comparison;
     EXPECT_EQ(c.reference, "sphere");
     ASSERT_EQ(c.normals.size(), 4u);
     for (std::size_t k = 1; k < 4; ++k)
@@ -54,8 +54,8 @@ TEST(PreparationComparison, OursIsNearTheExactAnswerAndTheThesisIsNot)
     EXPECT_LT(c.normals[0].mean_in_cortex, 0.5);
 
     ASSERT_EQ(c.volumes.size(), 2u);
-    const VolumeErrors& ours = c.volumes[0];
-    const VolumeErrors& counts = c.volumes[1];
+    const study::VolumeErrors& ours = c.volumes[0];
+    const study::VolumeErrors& counts = c.volumes[1];
     EXPECT_NEAR(ours.sum, 0.0, 1e-12);
     EXPECT_NEAR(counts.sum, 0.0, 1e-9); // both sum to the volume; the thesis only shares it out wrongly
     EXPECT_LT(ours.rms, 0.02);
@@ -71,7 +71,7 @@ TEST(PreparationComparison, OursIsNearTheExactAnswerAndTheThesisIsNot)
 
 TEST(PreparationComparison, CortexOfTheThesisHoldsTooMuchVolume)
 {
-    const PreparationComparison& c = compared().comparison;
+    const study::PreparationComparison& c = compared().comparison;
     EXPECT_NEAR(c.exact_cortex_share, 1.0 - std::pow(0.75, 1.5), 1e-12);
     ASSERT_EQ(c.layers.size(), 4u);
     EXPECT_NEAR(c.layers[0].cortex_share, c.exact_cortex_share, 1e-9);
@@ -84,10 +84,10 @@ TEST(PreparationComparison, CortexOfTheThesisHoldsTooMuchVolume)
 
 TEST(PreparationComparison, RandomThinningIsUneven)
 {
-    const PreparationComparison& c = compared().comparison;
+    const study::PreparationComparison& c = compared().comparison;
     ASSERT_EQ(c.clouds.size(), 3u);
-    const Evenness& ours = c.clouds[0].evenness;
-    const Evenness& random = c.clouds[1].evenness;
+    const study::Evenness& ours = c.clouds[0].evenness;
+    const study::Evenness& random = c.clouds[1].evenness;
     EXPECT_EQ(ours.particles, c.particles);
     EXPECT_EQ(random.particles, c.particles);
     EXPECT_GT(random.neighbors_variation, 1.3 * ours.neighbors_variation);
@@ -98,14 +98,14 @@ TEST(PreparationComparison, RandomThinningIsUneven)
 
 TEST(PreparationComparison, OffTheSphereEq24IsNoLayerOfOneThickness)
 {
-    Options options = thesis_sphere();
-    options.geometry.shape = Shape::ellipsoid;
+    config::Options options = thesis_sphere();
+    options.geometry.shape = prepare::Shape::ellipsoid;
     options.geometry.semi_axes_mm = {20.0, 10.0, 8.0};
     options.geometry.particles = 3000;
-    options.tissue.layer = Layer::smooth;
+    options.tissue.layer = material::Layer::smooth;
     options.tissue.thickness_mm = 2.0;
-    const Model body = prepare_body(options).model;
-    const PreparationComparison c = compare_preparation(body, options);
+    const model::Model body = prepare::prepare_body(options).model;
+    const study::PreparationComparison c = study::compare_preparation(body, options);
     EXPECT_EQ(c.reference, "triangulated surface");
     EXPECT_EQ(c.depths[0].largest, 0.0);
     EXPECT_NEAR(c.layers[0].cortex_share, c.exact_cortex_share, 0.01);
@@ -118,9 +118,9 @@ TEST(PreparationComparison, OffTheSphereEq24IsNoLayerOfOneThickness)
 TEST(PreparationComparison, HasFieldsOfEveryParticle)
 {
     const auto& [body, comparison] = compared();
-    const std::vector<Field> fields = comparison_fields(comparison);
+    const std::vector<formats::Field> fields = study::comparison_fields(comparison);
     ASSERT_EQ(fields.size(), 4u);
-    for (const Field& field : fields)
+    for (const formats::Field& field : fields)
     {
         EXPECT_EQ(field.values.size(), body.cloud.positions.size()) << field.name;
     }
@@ -133,16 +133,16 @@ TEST(PreparationComparison, HasFieldsOfEveryParticle)
 
 TEST(PreparationComparison, JsonAndTextHoldTheFigures)
 {
-    PreparationComparison comparison = compared().comparison;
+    study::PreparationComparison comparison = compared().comparison;
     comparison.clouds[1].evenness.worst_condition = std::numeric_limits<double>::infinity();
-    const auto j = nlohmann::json::parse(comparison_json(comparison));
+    const auto j = nlohmann::json::parse(study::comparison_json(comparison));
     EXPECT_EQ(j["particles"], comparison.particles);
     EXPECT_EQ(j["normals"].size(), 4u);
     EXPECT_EQ(j["normals"][1]["mean_deg"], comparison.normals[1].mean);
     EXPECT_EQ(j["volumes"][1]["surface_ratio"], comparison.volumes[1].surface_ratio);
     EXPECT_EQ(j["layers"][0]["choice"], "exact");
     EXPECT_TRUE(j["clouds"][1]["worst_condition"].is_null());
-    const std::string text = comparison_text(comparison);
+    const std::string text = study::comparison_text(comparison);
     for (const char* part : {"| thesis: random thinning |", "surface_ratio", "| exact | 0.3505 |"})
     {
         EXPECT_NE(text.find(part), std::string::npos) << part;
@@ -153,9 +153,9 @@ TEST(PreparationComparison, IsTheSameForAnyNumberOfThreads)
 {
     const int threads = thread_count();
     set_thread_count(1);
-    const PreparationComparison one = compare_preparation(compared().body, thesis_sphere());
+    const study::PreparationComparison one = study::compare_preparation(compared().body, thesis_sphere());
     set_thread_count(threads);
-    EXPECT_EQ(comparison_json(one), comparison_json(compared().comparison));
+    EXPECT_EQ(study::comparison_json(one), study::comparison_json(compared().comparison));
     EXPECT_EQ(one.normal_error, compared().comparison.normal_error);
     EXPECT_EQ(one.volume_ratio, compared().comparison.volume_ratio);
 }

@@ -18,12 +18,12 @@ namespace corticle
 namespace
 {
 
-RunRequest small_run(const std::filesystem::path& out)
+record::RunRequest small_run(const std::filesystem::path& out)
 {
-    RunRequest request;
-    request.options = parse_case("[geometry]\nparticles = 600\n[tissue]\nthickness_mm = 5\n[time]\nend = 0.01\n"
-                                 "[output]\ncount = 1\npictures = \"off\"\n",
-                                 "case", {}, "");
+    record::RunRequest request;
+    request.options = config::parse_case("[geometry]\nparticles = 600\n[tissue]\nthickness_mm = 5\n[time]\nend = 0.01\n"
+                                         "[output]\ncount = 1\npictures = \"off\"\n",
+                                         "case", {}, "");
     request.out = out;
     request.quiet = true;
     return request;
@@ -39,16 +39,16 @@ nlohmann::json summary_of(const std::filesystem::path& run)
 TEST(RunFolder, AnInvalidStartIsAFailureInTheSummary)
 {
     const TemporaryFolder place;
-    RunRequest request = small_run(place / "run");
-    EXPECT_EQ(simulate(request), RunStatus::completed);
-    Checkpoint checkpoint = read_checkpoint(place / "run/checkpoint.h5");
+    record::RunRequest request = small_run(place / "run");
+    EXPECT_EQ(study::simulate(request), model::RunStatus::completed);
+    record::Checkpoint checkpoint = record::read_checkpoint(place / "run/checkpoint.h5");
     for (Vec3& x : checkpoint.vectors["position"])
     {
         x.x = -x.x; // inside out
     }
-    write_checkpoint(place / "run/checkpoint.h5", checkpoint);
+    record::write_checkpoint(place / "run/checkpoint.h5", checkpoint);
     request.resume = true;
-    EXPECT_THROW(simulate(request), RunError);
+    EXPECT_THROW(study::simulate(request), RunError);
     const auto summary = summary_of(place / "run");
     EXPECT_EQ(summary["status"], "failed");
     EXPECT_THAT(summary["reason"].get<std::string>(), testing::HasSubstr("inverted"));
@@ -60,7 +60,7 @@ TEST(RunFolder, ARunLeavesTheHandlersOfSignalsAsItFoundThem)
     const auto mine = [](int) {};
     void (*const handler)(int) = mine;
     std::signal(SIGINT, handler);
-    EXPECT_EQ(simulate(small_run(place / "run")), RunStatus::completed);
+    EXPECT_EQ(study::simulate(small_run(place / "run")), model::RunStatus::completed);
     EXPECT_EQ(std::signal(SIGINT, SIG_DFL), handler);
 }
 

@@ -38,7 +38,7 @@ struct Lattice
         F.assign(origins.size(), Mat3::identity());
     }
 
-    CutInput input() const
+    view::CutInput input() const
     {
         return {.positions = positions,
                 .origins = origins,
@@ -66,11 +66,11 @@ TEST(MaterialSection, ShowsTheMaterialOfAnAffineMotionExactly)
         lattice.positions[i] = F * lattice.origins[i];
         lattice.F[i] = F;
     }
-    const PixelGrid grid{61, 40, -9.13, -3.07, 0.15};
+    const view::PixelGrid grid{61, 40, -9.13, -3.07, 0.15};
     const std::vector<std::uint8_t> everywhere(61 * 40, 1);
-    const CutInput input = lattice.input();
-    const std::vector<std::int32_t> shown = material_particles(input, grid, everywhere);
-    const std::vector<std::int32_t> nearest = nearest_particles(lattice.positions, {1, 0.3}, grid, everywhere);
+    const view::CutInput input = lattice.input();
+    const std::vector<std::int32_t> shown = view::material_particles(input, grid, everywhere);
+    const std::vector<std::int32_t> nearest = view::nearest_particles(lattice.positions, {1, 0.3}, grid, everywhere);
     int wrong_nearest = 0;
     for (int row = 0; row < grid.height; ++row)
     {
@@ -98,8 +98,9 @@ TEST(MaterialSection, AParticleAheadOfItsNeighboursLeavesNoSpeckle)
     const auto stray =
         std::find(lattice.origins.begin(), lattice.origins.end(), Vec3{0, 0, 0}) - lattice.origins.begin();
     lattice.positions[static_cast<std::size_t>(stray)].z = 1.0;
-    const PixelGrid grid{40, 12, -2.0, 0.9, 0.1};
-    for (const std::int32_t particle : material_particles(lattice.input(), grid, std::vector<std::uint8_t>(480, 1)))
+    const view::PixelGrid grid{40, 12, -2.0, 0.9, 0.1};
+    for (const std::int32_t particle :
+         view::material_particles(lattice.input(), grid, std::vector<std::uint8_t>(480, 1)))
     {
         EXPECT_EQ(lattice.theta[static_cast<std::size_t>(particle)], 1.0);
     }
@@ -108,16 +109,16 @@ TEST(MaterialSection, AParticleAheadOfItsNeighboursLeavesNoSpeckle)
 TEST(MaterialSection, FillsWhatNoParticleReachesAndOnlyTheMask)
 {
     Lattice lattice(0); // a single particle
-    CutInput input = lattice.input();
-    const PixelGrid grid{30, 1, 0.0, 0.0, 1.0}; // from the particle to 30 spacings away
+    view::CutInput input = lattice.input();
+    const view::PixelGrid grid{30, 1, 0.0, 0.0, 1.0}; // from the particle to 30 spacings away
     std::vector<std::uint8_t> mask(30, 1);
     mask[7] = 0;
     std::vector<std::int32_t> expected(30, 0);
     expected[7] = -1;
-    EXPECT_EQ(material_particles(input, grid, mask), expected);
+    EXPECT_EQ(view::material_particles(input, grid, mask), expected);
     lattice.F[0] = Mat3::diagonal(1.0, 0.0, std::nan("")); // no inverse
-    EXPECT_EQ(material_particles(input, grid, mask), expected);
-    EXPECT_EQ(material_particles({}, grid, mask), std::vector<std::int32_t>(30, -1));
+    EXPECT_EQ(view::material_particles(input, grid, mask), expected);
+    EXPECT_EQ(view::material_particles({}, grid, mask), std::vector<std::int32_t>(30, -1));
 }
 
 } // namespace corticle

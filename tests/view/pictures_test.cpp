@@ -68,7 +68,7 @@ class Pictures : public ::testing::Test
     void SetUp() override
     {
         std::string reason;
-        if (!can_render(reason))
+        if (!view::can_render(reason))
         {
             GTEST_SKIP() << reason;
         }
@@ -83,12 +83,12 @@ TEST_F(Pictures, SurfaceShowsShadedColours)
 {
     const std::vector<double> values{0, 1, 2, std::nan("")};
     const std::vector<double> others{2, 1, 0, 1};
-    const ColorScale scale{"value [-]", 0, 2, "viridis"};
-    const std::array pictures{SurfacePicture{folder / "a.png", values, scale},
-                              SurfacePicture{folder / "other.png", others, {"other [-]", 0, 3, "coolwarm"}},
-                              SurfacePicture{folder / "b.png", values, scale}};
-    render_surface(mesh.vertices, mesh.triangles, pictures, "title");
-    render_surface(mesh.vertices, mesh.triangles, {&pictures[0], 1}, "title");
+    const view::ColorScale scale{"value [-]", 0, 2, "viridis"};
+    const std::array pictures{view::SurfacePicture{folder / "a.png", values, scale},
+                              view::SurfacePicture{folder / "other.png", others, {"other [-]", 0, 3, "coolwarm"}},
+                              view::SurfacePicture{folder / "b.png", values, scale}};
+    view::render_surface(mesh.vertices, mesh.triangles, pictures, "title");
+    view::render_surface(mesh.vertices, mesh.triangles, {&pictures[0], 1}, "title");
     const Picture picture = read_picture(folder / "a.png");
     EXPECT_EQ(picture.width, 1600);
     EXPECT_EQ(picture.height, 800);
@@ -106,18 +106,18 @@ TEST_F(Pictures, CutShowsTheNearestParticles)
     const std::vector<Mat3> undeformed(2, Mat3::identity());
     const std::array theta{1.0, 0.0};
     const std::array scalar{0.0, 1.0};
-    const CutInput input{.positions = particles,
-                         .origins = particles,
-                         .F = undeformed,
-                         .theta = theta,
-                         .scalar = scalar,
-                         .spacing = 0.5,
-                         .surface_points = mesh.vertices,
-                         .triangles = mesh.triangles,
-                         .axis = 2,
-                         .coordinate = -0.5};
-    render_cut(folder / "a.png", input, {"stress [kPa]", 0, 1, "viridis"}, "cut");
-    render_cut(folder / "b.png", input, {"stress [kPa]", 0, 1, "viridis"}, "cut");
+    const view::CutInput input{.positions = particles,
+                               .origins = particles,
+                               .F = undeformed,
+                               .theta = theta,
+                               .scalar = scalar,
+                               .spacing = 0.5,
+                               .surface_points = mesh.vertices,
+                               .triangles = mesh.triangles,
+                               .axis = 2,
+                               .coordinate = -0.5};
+    view::render_cut(folder / "a.png", input, {"stress [kPa]", 0, 1, "viridis"}, "cut");
+    view::render_cut(folder / "b.png", input, {"stress [kPa]", 0, 1, "viridis"}, "cut");
     EXPECT_EQ(bytes_of(folder / "a.png"), bytes_of(folder / "b.png"));
     const Picture picture = read_picture(folder / "a.png");
     EXPECT_EQ(picture.width, 1600);
@@ -130,12 +130,12 @@ TEST_F(Pictures, CutShowsTheNearestParticles)
 
 TEST_F(Pictures, CutBesideTheBodyIsEmptyButDrawn)
 {
-    CutInput input;
+    view::CutInput input;
     input.surface_points = mesh.vertices;
     input.triangles = mesh.triangles;
     input.axis = 0;
     input.coordinate = 50.0;
-    render_cut(folder / "a.png", input, {"stress [kPa]", 0, 1, "viridis"}, "beside");
+    view::render_cut(folder / "a.png", input, {"stress [kPa]", 0, 1, "viridis"}, "beside");
     EXPECT_GT(read_picture(folder / "a.png").colors.size(), 10u);
 }
 
@@ -147,10 +147,10 @@ TEST_F(Pictures, PairOfSurfacesHasOneScaleOfLength)
         v *= 0.25;
     }
     const std::vector<double> values{0, 1, 2, 1};
-    const std::array<SurfaceInput, 2> surfaces{SurfaceInput{"one", mesh.vertices, mesh.triangles, values},
-                                               SurfaceInput{"quarter", small, mesh.triangles, values}};
-    render_surface_pair(folder / "a.png", surfaces, {"value [-]", 0, 2, "viridis"}, "title");
-    render_surface_pair(folder / "b.png", surfaces, {"value [-]", 0, 2, "viridis"}, "title");
+    const std::array<view::SurfaceInput, 2> surfaces{view::SurfaceInput{"one", mesh.vertices, mesh.triangles, values},
+                                                     view::SurfaceInput{"quarter", small, mesh.triangles, values}};
+    view::render_surface_pair(folder / "a.png", surfaces, {"value [-]", 0, 2, "viridis"}, "title");
+    view::render_surface_pair(folder / "b.png", surfaces, {"value [-]", 0, 2, "viridis"}, "title");
     EXPECT_EQ(bytes_of(folder / "a.png"), bytes_of(folder / "b.png"));
     const Picture picture = read_picture(folder / "a.png");
     EXPECT_EQ(picture.width, 1600);
@@ -181,19 +181,19 @@ TEST_F(Pictures, PairOfCutsHasOneColorScale)
     const std::array theta{1.0, 0.0};
     const std::array low{0.0, 0.0};
     const std::array high{1.0, 1.0};
-    CutInput input{.positions = particles,
-                   .origins = particles,
-                   .F = undeformed,
-                   .theta = theta,
-                   .scalar = low,
-                   .spacing = 0.5,
-                   .surface_points = mesh.vertices,
-                   .triangles = mesh.triangles,
-                   .axis = 2,
-                   .coordinate = -0.5};
-    CutInput other = input;
+    view::CutInput input{.positions = particles,
+                         .origins = particles,
+                         .F = undeformed,
+                         .theta = theta,
+                         .scalar = low,
+                         .spacing = 0.5,
+                         .surface_points = mesh.vertices,
+                         .triangles = mesh.triangles,
+                         .axis = 2,
+                         .coordinate = -0.5};
+    view::CutInput other = input;
     other.scalar = high;
-    render_cut_pair(folder / "a.png", {input, other}, {"left", "right"}, {"J", 0, 1, "viridis"}, "cuts");
+    view::render_cut_pair(folder / "a.png", {input, other}, {"left", "right"}, {"J", 0, 1, "viridis"}, "cuts");
     const Picture picture = read_picture(folder / "a.png");
     const auto count = [&](const Pixel& color, int left)
     {
@@ -217,11 +217,11 @@ TEST_F(Pictures, PairOfCutsHasOneColorScale)
 
 TEST_F(Pictures, PlotMarksPoints)
 {
-    const std::array panels{Panel{"t", "y", {{"line", {0, 1}, {0, 1}}, {"points", {0.2, 0.6}, {0.8, 0.4}, true}}},
-                            Panel{"t", "one point", {{"point", {1}, {2}, true}}}};
-    render_plot(folder / "a.png", panels, "points");
-    render_plot(folder / "b.png", std::array{Panel{"t", "y", {panels[0].curves[0], {"points", {}, {}, true}}}},
-                "no points");
+    const std::array panels{view::Panel{"t", "y", {{"line", {0, 1}, {0, 1}}, {"points", {0.2, 0.6}, {0.8, 0.4}, true}}},
+                            view::Panel{"t", "one point", {{"point", {1}, {2}, true}}}};
+    view::render_plot(folder / "a.png", panels, "points");
+    view::render_plot(folder / "b.png",
+                      std::array{view::Panel{"t", "y", {panels[0].curves[0], {"points", {}, {}, true}}}}, "no points");
     const Pixel second{213, 94, 0};
     EXPECT_TRUE(read_picture(folder / "a.png").colors.contains(second));
     EXPECT_FALSE(read_picture(folder / "b.png").colors.contains(second));
@@ -231,9 +231,9 @@ TEST_F(Pictures, PlotMarksPointsOfLinesAndNamesTicks)
 {
     const auto draw = [&](const std::string& name, bool is_marked, std::vector<std::pair<double, std::string>> ticks)
     {
-        const Curve curve{"line", {0, 1}, {0, 1}, false, is_marked};
-        const Curve wider{"points", {-0.2, 1.2}, {-0.2, 1.2}, true}; // both pictures have one range
-        render_plot(folder / name, std::array{Panel{"x", "y", {curve, wider}, std::move(ticks)}}, "ticks");
+        const view::Curve curve{"line", {0, 1}, {0, 1}, false, is_marked};
+        const view::Curve wider{"points", {-0.2, 1.2}, {-0.2, 1.2}, true}; // both pictures have one range
+        view::render_plot(folder / name, std::array{view::Panel{"x", "y", {curve, wider}, std::move(ticks)}}, "ticks");
         const Picture picture = read_picture(folder / name);
         return std::count(picture.pixels.begin(), picture.pixels.end(), Pixel{0, 114, 178});
     };
@@ -245,8 +245,8 @@ TEST_F(Pictures, PlotMarksPointsOfLinesAndNamesTicks)
 
 TEST_F(Pictures, GridDrawsEachTileInItsPlace)
 {
-    const TriangleMesh ball = make_ellipsoid({2.0, 2.0, 2.0}, 0.3);
-    const auto tile = [&](std::size_t i) -> SurfaceTile
+    const TriangleMesh ball = geometry::make_ellipsoid({2.0, 2.0, 2.0}, 0.3);
+    const auto tile = [&](std::size_t i) -> view::SurfaceTile
     {
         if (i == 1)
         {
@@ -256,7 +256,7 @@ TEST_F(Pictures, GridDrawsEachTileInItsPlace)
         points.front() *= i == 2 ? 50.0 : 1.0; // one has left the body
         return {"ball", std::move(points), ball.triangles, std::vector<double>(ball.vertices.size(), 1.0)};
     };
-    render_surface_grid(folder / "grid.png", 3, 2, tile, {"J", 0.0, 1.0, "viridis"}, "three");
+    view::render_surface_grid(folder / "grid.png", 3, 2, tile, {"J", 0.0, 1.0, "viridis"}, "three");
     const Picture picture = read_picture(folder / "grid.png");
     EXPECT_EQ(picture.width, 950);
     EXPECT_EQ(picture.height, 914);
@@ -281,12 +281,12 @@ TEST_F(Pictures, GridDrawsEachTileInItsPlace)
 TEST_F(Pictures, PlotDrawsCurvesAndSurvivesOddOnes)
 {
     const double nan = std::nan("");
-    const std::vector<Panel> panels{
+    const std::vector<view::Panel> panels{
         {"t [-]", "a [mm]", {{"one", {0, 1, 2}, {1, 3, 2}}, {"two", {0, 1, 2}, {2, nan, 1}}}},
         {"t [-]", "constant", {{"", {0, 1}, {5, 5}}}},
         {"t [-]", "point", {{"", {0}, {5}}}},
         {"t [-]", "nothing", {}}};
-    render_plot(folder / "a.png", panels, "plots");
+    view::render_plot(folder / "a.png", panels, "plots");
     const Picture picture = read_picture(folder / "a.png");
     EXPECT_EQ(picture.width, 1800);
     EXPECT_TRUE(picture.colors.contains(Pixel{0, 114, 178}));
@@ -295,7 +295,7 @@ TEST_F(Pictures, PlotDrawsCurvesAndSurvivesOddOnes)
 
 TEST_F(Pictures, ReportsWhereItCannotWrite)
 {
-    EXPECT_THROW(render_plot(folder / "none/a.png", {}, "title"), RunError);
+    EXPECT_THROW(view::render_plot(folder / "none/a.png", {}, "title"), RunError);
 }
 
 TEST(PlaneSection, MaskFollowsTheWindingNumber)
@@ -303,16 +303,16 @@ TEST(PlaneSection, MaskFollowsTheWindingNumber)
     // A square of 4 mm and, overlapping it, a second one: the overlap is wound twice and still inside.
     const auto square = [](double low, double high)
     {
-        return std::vector<Segment>{{{low, low}, {high, low}},
-                                    {{high, low}, {high, high}},
-                                    {{high, high}, {low, high}},
-                                    {{low, high}, {low, low}}};
+        return std::vector<view::Segment>{{{low, low}, {high, low}},
+                                          {{high, low}, {high, high}},
+                                          {{high, high}, {low, high}},
+                                          {{low, high}, {low, low}}};
     };
-    std::vector<Segment> outline = square(1, 5);
-    const std::vector<Segment> second = square(3, 7);
+    std::vector<view::Segment> outline = square(1, 5);
+    const std::vector<view::Segment> second = square(3, 7);
     outline.insert(outline.end(), second.begin(), second.end());
-    const PixelGrid grid{8, 8, 0.0, 0.0, 1.0};
-    const std::vector<std::uint8_t> mask = inside_mask(outline, grid);
+    const view::PixelGrid grid{8, 8, 0.0, 0.0, 1.0};
+    const std::vector<std::uint8_t> mask = view::inside_mask(outline, grid);
     const std::vector<std::string> expected{"00000000", "01111000", "01111000", "01111110",
                                             "01111110", "00011110", "00011110", "00000000"};
     for (std::size_t row = 0; row < 8; ++row)
@@ -330,9 +330,9 @@ TEST(PlaneSection, OutlineOfAClosedSurfaceIsClosed)
     for (const double height : {-2.9, -1.0, 0.0}) // at 0 three vertices lie on the plane
     {
         std::array<double, 2> sum{};
-        const std::vector<Segment> outline = section_outline(mesh.vertices, mesh.triangles, {2, height});
+        const std::vector<view::Segment> outline = view::section_outline(mesh.vertices, mesh.triangles, {2, height});
         EXPECT_EQ(outline.size(), 3u);
-        for (const Segment& segment : outline)
+        for (const view::Segment& segment : outline)
         {
             sum = {sum[0] + segment.to[0] - segment.from[0], sum[1] + segment.to[1] - segment.from[1]};
         }
@@ -349,10 +349,10 @@ TEST(PlaneSection, NearestParticleAgreesWithTryingAll)
     {
         particle = {place(random), place(random), place(random)};
     }
-    const Plane plane{1, 2.0};
-    const PixelGrid grid{40, 30, -14.0, -11.0, 0.7};
+    const view::Plane plane{1, 2.0};
+    const view::PixelGrid grid{40, 30, -14.0, -11.0, 0.7};
     const std::vector<std::uint8_t> everywhere(1200, 1);
-    const std::vector<std::int32_t> nearest = nearest_particles(particles, plane, grid, everywhere);
+    const std::vector<std::int32_t> nearest = view::nearest_particles(particles, plane, grid, everywhere);
     for (int row = 0; row < grid.height; ++row)
     {
         for (int column = 0; column < grid.width; ++column)

@@ -11,7 +11,7 @@
 #include <tuple>
 #include <utility>
 
-namespace corticle
+namespace corticle::cloud
 {
 
 namespace
@@ -169,4 +169,4 @@ std::vector<double> cell_volumes(const TriangleMesh& surface, std::span<const Ve
     return volumes;
 }
 
-} // namespace corticle
+} // namespace corticle::cloud

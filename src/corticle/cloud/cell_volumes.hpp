@@ -3,7 +3,7 @@
 
 #include "corticle/mesh/triangle_mesh.hpp"
 
-namespace corticle
+namespace corticle::cloud
 {
 
 /// Volumes of the Voronoi cells of points, cut at a closed surface [mm³]: exact along lines parallel to z, summed over
@@ -13,4 +13,4 @@ namespace corticle
 std::vector<double> cell_volumes(const TriangleMesh& surface, std::span<const Vec3> points, double spacing,
                                  double lines_per_spacing = 6.0);
 
-} // namespace corticle
+} // namespace corticle::cloud

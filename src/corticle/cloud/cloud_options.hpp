@@ -2,7 +2,7 @@
 #pragma once
 #include <cstdint>
 
-namespace corticle
+namespace corticle::cloud
 {
 
 /// Surface edges over the spacing: makes the cell of a surface particle about half of an inner one.
@@ -14,4 +14,4 @@ struct CloudOptions
     std::uint64_t seed = 1;
 };
 
-} // namespace corticle
+} // namespace corticle::cloud

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace corticle
+namespace corticle::cloud
 {
 
 double spacing_for_particles(double volume, std::int64_t count)
@@ -38,7 +38,7 @@ Cloud fill_surface(const TriangleMesh& surface, const CloudOptions& options)
         throw InputError(fmt::format("spacing {} mm means {:.3g} particles; expected at most {:.3g}", options.spacing,
                                      wanted, most));
     }
-    const SurfaceTree tree(surface.vertices, surface.triangles);
+    const geometry::SurfaceTree tree(surface.vertices, surface.triangles);
     const auto surface_count = static_cast<std::int64_t>(surface.vertices.size());
     const std::int64_t inside_count = std::max<std::int64_t>(std::llround(wanted) - surface_count, 0);
 
@@ -49,4 +49,4 @@ Cloud fill_surface(const TriangleMesh& surface, const CloudOptions& options)
     return ordered_cloud(points, cell_volumes(surface, points, options.spacing), surface);
 }
 
-} // namespace corticle
+} // namespace corticle::cloud

@@ -5,7 +5,7 @@
 #include "corticle/geometry/surface_tree.hpp"
 #include "corticle/mesh/cloud.hpp"
 
-namespace corticle
+namespace corticle::cloud
 {
 
 /// Spacing at which `count` particles fill a volume [mm³]: the cube root of volume per particle [mm].
@@ -16,4 +16,4 @@ double spacing_for_particles(double volume, std::int64_t count);
 /// seed, not on the number of threads.
 Cloud fill_surface(const TriangleMesh& surface, const CloudOptions& options);
 
-} // namespace corticle
+} // namespace corticle::cloud

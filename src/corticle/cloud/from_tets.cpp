@@ -14,7 +14,7 @@
 
 #include <array>
 
-namespace corticle
+namespace corticle::cloud
 {
 
 namespace
@@ -24,7 +24,7 @@ namespace
 constexpr std::array<double, 2> inner_depths{0.5, 0.3};
 
 /// Nodes inside a surface and at least `depth` from it [mm], in ascending order.
-std::vector<std::int32_t> inner_nodes(const TetMesh& mesh, const SurfaceTree& tree, double depth)
+std::vector<std::int32_t> inner_nodes(const TetMesh& mesh, const geometry::SurfaceTree& tree, double depth)
 {
     std::vector<std::int32_t> nodes;
     parallel_list(std::ssize(mesh.vertices), nodes,
@@ -46,7 +46,7 @@ std::vector<std::int32_t> inner_nodes(const TetMesh& mesh, const SurfaceTree& tr
 std::vector<Vec3> chosen_nodes(const TetMesh& mesh, const TriangleMesh& surface, std::int64_t count, double spacing,
                                const TetCloudOptions& options)
 {
-    const SurfaceTree tree(surface.vertices, surface.triangles);
+    const geometry::SurfaceTree tree(surface.vertices, surface.triangles);
     std::vector<std::int32_t> inner;
     for (const double depth : inner_depths)
     {
@@ -120,7 +120,7 @@ TetCloud thinned(const TetMesh& mesh, std::int64_t wanted, const TetCloudOptions
     const TriangleMesh boundary = boundary_of(mesh).surface;
     const double spacing = spacing_for_particles(enclosed_volume(boundary.vertices, boundary.triangles), wanted);
     TetCloud result;
-    result.surface = remesh_isotropic(boundary, edge_per_spacing * spacing, &result.remesh);
+    result.surface = geometry::remesh_isotropic(boundary, edge_per_spacing * spacing, &result.remesh);
     const std::int64_t inside = std::max<std::int64_t>(wanted - std::ssize(result.surface.vertices), 0);
     const std::vector<Vec3> chosen = chosen_nodes(mesh, result.surface, inside, spacing, options);
     std::vector<Vec3> points = result.surface.vertices;
@@ -173,4 +173,4 @@ TetCloud cloud_from_tets(const TetMesh& mesh, const TetCloudOptions& options)
     return result;
 }
 
-} // namespace corticle
+} // namespace corticle::cloud

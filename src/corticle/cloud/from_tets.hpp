@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-namespace corticle
+namespace corticle::cloud
 {
 
 /// How nodes are chosen when there are more than particles asked for.
@@ -30,7 +30,7 @@ struct TetCloud
     Cloud cloud;
     std::vector<Tet> tets;             ///< with particles for corners; empty where nodes were left out
     TriangleMesh surface;              ///< reference surface; its vertices are cloud.surface_particles
-    RemeshReport remesh;               ///< zero when the boundary of the tets serves as it is
+    geometry::RemeshReport remesh;     ///< zero when the boundary of the tets serves as it is
     std::vector<std::string> warnings; ///< one line each
 };
 
@@ -43,4 +43,4 @@ struct TetCloud
 /// @throws InputError when there are fewer nodes than particles asked for, or the surface cannot be remeshed
 TetCloud cloud_from_tets(const TetMesh& mesh, const TetCloudOptions& options = {});
 
-} // namespace corticle
+} // namespace corticle::cloud

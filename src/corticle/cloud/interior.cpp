@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace corticle
+namespace corticle::cloud
 {
 
 namespace
@@ -57,12 +57,13 @@ Lattice lattice_over(const std::vector<Vec3>& vertices, double width)
     return lattice;
 }
 
-bool is_inside(const SurfaceTree& tree, const Vec3& point, double depth)
+bool is_inside(const geometry::SurfaceTree& tree, const Vec3& point, double depth)
 {
     return tree.closest_within(point, depth).triangle < 0 && tree.winding_number(point) == 1;
 }
 
-std::vector<Vec3> points_of_lattice(const SurfaceTree& tree, const Lattice& lattice, double depth, std::uint64_t seed)
+std::vector<Vec3> points_of_lattice(const geometry::SurfaceTree& tree, const Lattice& lattice, double depth,
+                                    std::uint64_t seed)
 {
     std::vector<Vec3> points;
     parallel_list(lattice.count(), points,
@@ -101,10 +102,11 @@ void thin_out(std::vector<Vec3>& points, std::size_t count, std::uint64_t seed)
 }
 
 /// Where a moved particle goes: to the wall depth if it came closer to the surface, back if there is no room.
-Vec3 keep_inside(const SurfaceTree& tree, const Vec3& old_place, const Vec3& new_place, double spacing, double& depth)
+Vec3 keep_inside(const geometry::SurfaceTree& tree, const Vec3& old_place, const Vec3& new_place, double spacing,
+                 double& depth)
 {
     const double wall = wall_depth * spacing;
-    SurfacePoint foot = tree.closest_within(new_place, 2.0 * spacing);
+    geometry::SurfacePoint foot = tree.closest_within(new_place, 2.0 * spacing);
     depth = foot.triangle < 0 ? 2.0 * spacing : -tree.signed_distance(new_place, foot);
     if (depth >= wall)
     {
@@ -125,7 +127,7 @@ Vec3 keep_inside(const SurfaceTree& tree, const Vec3& old_place, const Vec3& new
 
 } // namespace
 
-std::vector<Vec3> scatter_inside(const SurfaceTree& tree, std::int64_t count, const CloudOptions& options)
+std::vector<Vec3> scatter_inside(const geometry::SurfaceTree& tree, std::int64_t count, const CloudOptions& options)
 {
     if (count <= 0)
     {
@@ -155,7 +157,7 @@ std::vector<Vec3> scatter_inside(const SurfaceTree& tree, std::int64_t count, co
     return points;
 }
 
-void relax_inside(const SurfaceTree& tree, double spacing, std::vector<Vec3>& points)
+void relax_inside(const geometry::SurfaceTree& tree, double spacing, std::vector<Vec3>& points)
 {
     const auto first = static_cast<std::int64_t>(tree.mesh().vertices.size());
     std::vector<Vec3> moves;
@@ -163,7 +165,8 @@ void relax_inside(const SurfaceTree& tree, double spacing, std::vector<Vec3>& po
     std::vector<double> depth(points.size(), 0.0);
     for (int sweep = 0; sweep < relaxation_sweeps; ++sweep)
     {
-        repulsion_moves(points, first, repulsion_range * spacing, repulsion_step, longest_move * spacing, moves);
+        geometry::repulsion_moves(points, first, repulsion_range * spacing, repulsion_step, longest_move * spacing,
+                                  moves);
         parallel_for(static_cast<std::int64_t>(moves.size()),
                      [&](std::int64_t k)
                      {
@@ -177,4 +180,4 @@ void relax_inside(const SurfaceTree& tree, double spacing, std::vector<Vec3>& po
     }
 }
 
-} // namespace corticle
+} // namespace corticle::cloud

@@ -4,15 +4,15 @@
 #include "corticle/cloud/cloud_options.hpp"
 #include "corticle/geometry/surface_tree.hpp"
 
-namespace corticle
+namespace corticle::cloud
 {
 
 /// `count` points spread over the inside of a closed surface, at least about half a spacing deep [mm]: one at random in
 /// each cell of a cubic lattice, whose width is fitted to the count.
-std::vector<Vec3> scatter_inside(const SurfaceTree& tree, std::int64_t count, const CloudOptions& options);
+std::vector<Vec3> scatter_inside(const geometry::SurfaceTree& tree, std::int64_t count, const CloudOptions& options);
 
 /// Spreads points evenly by pair repulsion [mm]. The first ones are the vertices of the surface and stay; the others
 /// keep their distance from the surface where the body is thick enough for it, and never leave it.
-void relax_inside(const SurfaceTree& tree, double spacing, std::vector<Vec3>& points);
+void relax_inside(const geometry::SurfaceTree& tree, double spacing, std::vector<Vec3>& points);
 
-} // namespace corticle
+} // namespace corticle::cloud

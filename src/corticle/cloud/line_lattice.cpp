@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace corticle
+namespace corticle::cloud
 {
 
 namespace
@@ -92,4 +92,4 @@ LineLattice::LineLattice(const TriangleMesh& surface, double step) : step_(step)
     }
 }
 
-} // namespace corticle
+} // namespace corticle::cloud

@@ -3,7 +3,7 @@
 
 #include "corticle/mesh/triangle_mesh.hpp"
 
-namespace corticle
+namespace corticle::cloud
 {
 
 /// Lines parallel to z on a square lattice over a closed surface, and where each enters and leaves it.
@@ -36,4 +36,4 @@ class LineLattice
     std::vector<double> heights_;
 };
 
-} // namespace corticle
+} // namespace corticle::cloud

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <string>
 
-namespace corticle
+namespace corticle::cloud
 {
 
 namespace
@@ -96,7 +96,8 @@ Neighbors find_pairs_within(std::span<const Vec3> positions, double support)
     return pairs;
 }
 
-Neighbors find_neighbors(const Cloud& cloud, const SurfaceTree& surface, double support, VisibilityReport* report)
+Neighbors find_neighbors(const Cloud& cloud, const geometry::SurfaceTree& surface, double support,
+                         VisibilityReport* report)
 {
     const Neighbors pairs = find_pairs_within(cloud.positions, support);
     const Visibility visibility(cloud, surface, support);
@@ -130,4 +131,4 @@ Neighbors find_neighbors(const Cloud& cloud, const SurfaceTree& surface, double 
     return seen;
 }
 
-} // namespace corticle
+} // namespace corticle::cloud

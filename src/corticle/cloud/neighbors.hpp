@@ -5,7 +5,7 @@
 #include "corticle/mesh/cloud.hpp"
 #include "corticle/mesh/neighbor_list.hpp"
 
-namespace corticle
+namespace corticle::cloud
 {
 
 struct VisibilityReport
@@ -16,10 +16,10 @@ struct VisibilityReport
 /// All pairs closer than `support` [mm] that see each other: a pair whose segment leaves the body (the two banks of
 /// a fissure) is dropped, in both directions. Chords that graze a gently concave surface are kept: the ends that lie
 /// on or near the surface are moved inward along the normal by half a spacing for the test.
-Neighbors find_neighbors(const Cloud& cloud, const SurfaceTree& surface, double support,
+Neighbors find_neighbors(const Cloud& cloud, const geometry::SurfaceTree& surface, double support,
                          VisibilityReport* report = nullptr);
 
 /// All pairs closer than `support`, whatever lies between them.
 Neighbors find_pairs_within(std::span<const Vec3> positions, double support);
 
-} // namespace corticle
+} // namespace corticle::cloud

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace corticle
+namespace corticle::cloud
 {
 
 Cloud ordered_cloud(std::span<const Vec3> points, std::span<const double> volumes, const TriangleMesh& surface,
@@ -37,4 +37,4 @@ Cloud ordered_cloud(std::span<const Vec3> points, std::span<const double> volume
     return cloud;
 }
 
-} // namespace corticle
+} // namespace corticle::cloud

@@ -5,7 +5,7 @@
 
 #include <span>
 
-namespace corticle
+namespace corticle::cloud
 {
 
 /// A cloud of points [mm] with their volumes [mm³], numbered along a space-filling curve. The first points are the
@@ -14,4 +14,4 @@ namespace corticle
 Cloud ordered_cloud(std::span<const Vec3> points, std::span<const double> volumes, const TriangleMesh& surface,
                     std::vector<std::int32_t>* particle_of = nullptr);
 
-} // namespace corticle
+} // namespace corticle::cloud

@@ -8,7 +8,7 @@
 #include <limits>
 #include <numeric>
 
-namespace corticle
+namespace corticle::cloud
 {
 
 namespace
@@ -51,4 +51,4 @@ CloudQuality measure_quality(const Cloud& cloud)
     return quality;
 }
 
-} // namespace corticle
+} // namespace corticle::cloud

@@ -3,7 +3,7 @@
 
 #include "corticle/mesh/cloud.hpp"
 
-namespace corticle
+namespace corticle::cloud
 {
 
 /// How even a cloud is.
@@ -17,4 +17,4 @@ struct CloudQuality
 
 CloudQuality measure_quality(const Cloud& cloud);
 
-} // namespace corticle
+} // namespace corticle::cloud

@@ -18,7 +18,7 @@
 #include <tuple>
 #include <utility>
 
-namespace corticle
+namespace corticle::cloud
 {
 
 namespace
@@ -260,4 +260,4 @@ std::vector<std::int32_t> thin_uniform_beside(std::span<const Vec3> fixed, std::
     return kept;
 }
 
-} // namespace corticle
+} // namespace corticle::cloud

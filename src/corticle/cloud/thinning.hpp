@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace corticle
+namespace corticle::cloud
 {
 
 /// Keeps `count` of many points at random (thesis section 2.4.1): chance decides which, and every part of the body gets
@@ -36,4 +36,4 @@ std::vector<std::int32_t> thin_random_by_volume(std::span<const Vec3> points, st
 std::vector<std::int32_t> thin_uniform_beside(std::span<const Vec3> fixed, std::span<const Vec3> points,
                                               std::span<const double> volumes, std::int64_t count, std::uint64_t seed);
 
-} // namespace corticle
+} // namespace corticle::cloud

@@ -3,7 +3,7 @@
 
 #include "corticle/base/parallel.hpp"
 
-namespace corticle
+namespace corticle::cloud
 {
 
 namespace
@@ -15,16 +15,16 @@ struct Viewpoint
     double depth;
 };
 
-double depth_of(const SurfaceTree& surface, const Vec3& place, double reach)
+double depth_of(const geometry::SurfaceTree& surface, const Vec3& place, double reach)
 {
-    const SurfacePoint foot = surface.closest_within(place, reach);
+    const geometry::SurfacePoint foot = surface.closest_within(place, reach);
     return foot.triangle < 0 ? reach : -surface.signed_distance(place, foot);
 }
 
 /// The place from which a particle looks: half a spacing below the surface where it is nearer to it than that.
-Viewpoint viewpoint(const SurfaceTree& surface, const Vec3& position, double spacing, double reach)
+Viewpoint viewpoint(const geometry::SurfaceTree& surface, const Vec3& position, double spacing, double reach)
 {
-    const SurfacePoint foot = surface.closest_within(position, reach);
+    const geometry::SurfacePoint foot = surface.closest_within(position, reach);
     const double depth = foot.triangle < 0 ? reach : -surface.signed_distance(position, foot);
     double wanted = 0.5 * spacing;
     if (depth >= wanted)
@@ -48,7 +48,7 @@ Viewpoint viewpoint(const SurfaceTree& surface, const Vec3& position, double spa
 
 } // namespace
 
-Visibility::Visibility(const Cloud& cloud, const SurfaceTree& surface, double support)
+Visibility::Visibility(const Cloud& cloud, const geometry::SurfaceTree& surface, double support)
     : surface_(surface), viewpoints_(cloud.positions.size()), depths_(cloud.positions.size())
 {
     parallel_for(static_cast<std::int64_t>(cloud.positions.size()),
@@ -72,4 +72,4 @@ bool Visibility::see_each_other(std::int32_t i, std::int32_t j) const
     return !surface_.segment_crosses(a, b);
 }
 
-} // namespace corticle
+} // namespace corticle::cloud

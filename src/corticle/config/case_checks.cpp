@@ -12,7 +12,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace corticle
+namespace corticle::config
 {
 
 namespace
@@ -22,14 +22,14 @@ using Place = std::function<std::string(std::string_view)>;
 
 constexpr double most_elongated = 20.0; // ratio of semi-axes
 
-void check_geometry(const GeometryOptions& geometry, const Place& place)
+void check_geometry(const prepare::GeometryOptions& geometry, const Place& place)
 {
     if (geometry.spacing_mm && geometry.particles)
     {
         throw InputError(fmt::format("geometry.spacing_mm{} and geometry.particles{} are both given: expected one",
                                      place("geometry.spacing_mm"), place("geometry.particles")));
     }
-    if (geometry.shape == Shape::file && geometry.file.empty())
+    if (geometry.shape == prepare::Shape::file && geometry.file.empty())
     {
         throw InputError(
             fmt::format("geometry.file{} is missing: got none, expected the path of a surface, label volume or tet "
@@ -37,14 +37,15 @@ void check_geometry(const GeometryOptions& geometry, const Place& place)
                         "geometry.shape{} is \"file\"",
                         place("geometry.file"), place("geometry.shape")));
     }
-    if (geometry.shape != Shape::file && !geometry.file.empty())
+    if (geometry.shape != prepare::Shape::file && !geometry.file.empty())
     {
         throw InputError(fmt::format("geometry.file{} is given, but geometry.shape{} is \"{}\": expected shape = "
                                      "\"file\"",
-                                     place("geometry.file"), place("geometry.shape"), name_of(geometry.shape)));
+                                     place("geometry.file"), place("geometry.shape"),
+                                     prepare::name_of(geometry.shape)));
     }
     const auto [least, most] = std::ranges::minmax(geometry.semi_axes_mm);
-    if (geometry.shape == Shape::ellipsoid && most > most_elongated * least)
+    if (geometry.shape == prepare::Shape::ellipsoid && most > most_elongated * least)
     {
         throw InputError(fmt::format("geometry.semi_axes_mm{} is out of range: got a ratio of {:.3g}, expected at "
                                      "most {}",
@@ -53,28 +54,28 @@ void check_geometry(const GeometryOptions& geometry, const Place& place)
 }
 
 /// Keys that only a body from a file has a use for.
-void check_file_keys(const GeometryOptions& geometry, const Place& place)
+void check_file_keys(const prepare::GeometryOptions& geometry, const Place& place)
 {
     const auto require_file = [&](std::string_view key, bool is_set)
     {
-        if (is_set && geometry.shape != Shape::file)
+        if (is_set && geometry.shape != prepare::Shape::file)
         {
             throw InputError(fmt::format("{}{} is given, but geometry.shape{} is \"{}\": expected shape = \"file\"",
-                                         key, place(key), place("geometry.shape"), name_of(geometry.shape)));
+                                         key, place(key), place("geometry.shape"), prepare::name_of(geometry.shape)));
         }
     };
     require_file("geometry.labels", !geometry.mask.labels.empty());
     require_file("geometry.image_volume", geometry.mask.volume.has_value());
-    require_file("geometry.hemisphere", geometry.mask.hemisphere != Hemisphere::both);
-    require_file("geometry.repair", geometry.repair != Repair::none);
-    require_file("geometry.arrangement",
-                 geometry.arrangement != Arrangement::body_fitted && geometry.arrangement != Arrangement::mesh_nodes);
+    require_file("geometry.hemisphere", geometry.mask.hemisphere != imaging::Hemisphere::both);
+    require_file("geometry.repair", geometry.repair != geometry::Repair::none);
+    require_file("geometry.arrangement", geometry.arrangement != prepare::Arrangement::body_fitted &&
+                                             geometry.arrangement != prepare::Arrangement::mesh_nodes);
 }
 
 /// Keys that belong to one method.
 void check_method(const Options& options, const Place& place)
 {
-    const GeometryOptions& geometry = options.geometry;
+    const prepare::GeometryOptions& geometry = options.geometry;
     const char* const other = geometry.particles ? "geometry.particles" : "geometry.spacing_mm";
     if (options.elements && (geometry.particles || geometry.spacing_mm))
     {
@@ -83,20 +84,21 @@ void check_method(const Options& options, const Place& place)
     }
     const auto require = [&](std::string_view key, std::string_view got, bool holds, std::string_view expected)
     {
-        if (options.method == Method::fem && !holds)
+        if (options.method == model::Method::fem && !holds)
         {
             throw InputError(fmt::format("{}{} is \"{}\", but solver.method{} is \"fem\": expected {}", key, place(key),
                                          got, place("solver.method"), expected));
         }
     };
-    const bool is_thinned =
-        geometry.arrangement == Arrangement::thinned || geometry.arrangement == Arrangement::thinned_at_random;
-    require("geometry.arrangement", name_of(geometry.arrangement), !is_thinned, "\"body_fitted\" or \"tet_nodes\"");
-    require("geometry.volumes", "neighbour_count", geometry.volumes == VolumeRule::cells, "\"cells\"");
-    require("geometry.normals", "divisions", geometry.normals == NormalRule::surface, "\"surface\"");
+    const bool is_thinned = geometry.arrangement == prepare::Arrangement::thinned ||
+                            geometry.arrangement == prepare::Arrangement::thinned_at_random;
+    require("geometry.arrangement", prepare::name_of(geometry.arrangement), !is_thinned,
+            "\"body_fitted\" or \"tet_nodes\"");
+    require("geometry.volumes", "neighbour_count", geometry.volumes == prepare::VolumeRule::cells, "\"cells\"");
+    require("geometry.normals", "divisions", geometry.normals == prepare::NormalRule::surface, "\"surface\"");
 }
 
-void check_maps(const MapOptions& map, const Place& place)
+void check_maps(const prepare::MapOptions& map, const Place& place)
 {
     if (map.region_file.empty() != map.region_table.empty())
     {
@@ -107,26 +109,27 @@ void check_maps(const MapOptions& map, const Place& place)
     }
 }
 
-void check_particle_count(const GeometryOptions& geometry, const Place& place)
+void check_particle_count(const prepare::GeometryOptions& geometry, const Place& place)
 {
-    if (!geometry.spacing_mm || geometry.shape == Shape::file)
+    if (!geometry.spacing_mm || geometry.shape == prepare::Shape::file)
     {
         return; // known once the file is read
     }
     const double count = shape_volume(geometry) / std::pow(*geometry.spacing_mm, 3);
-    if (!(count >= static_cast<double>(fewest_particles) && count <= static_cast<double>(most_particles)))
+    if (!(count >= static_cast<double>(prepare::fewest_particles) &&
+          count <= static_cast<double>(prepare::most_particles)))
     {
         throw InputError(fmt::format("geometry.spacing_mm{} is out of range: got {}, which gives about {:.3g} "
                                      "particles, expected {} to {}",
-                                     place("geometry.spacing_mm"), *geometry.spacing_mm, count, fewest_particles,
-                                     most_particles));
+                                     place("geometry.spacing_mm"), *geometry.spacing_mm, count,
+                                     prepare::fewest_particles, prepare::most_particles));
     }
 }
 
 void check_tissue(const Options& options, const Place& place)
 {
-    const TissueOptions& tissue = options.tissue;
-    if (tissue.lambda > 0.0 && tissue.layer != Layer::binary)
+    const material::TissueOptions& tissue = options.tissue;
+    if (tissue.lambda > 0.0 && tissue.layer != material::Layer::binary)
     {
         throw InputError(fmt::format("tissue.lambda{} is out of range: got {}, expected 0 unless tissue.layer is "
                                      "\"binary\"",
@@ -147,7 +150,7 @@ void check_tissue(const Options& options, const Place& place)
     }
 }
 
-void check_imperfection(const ImperfectionOptions& imperfection, const Place& place)
+void check_imperfection(const material::ImperfectionOptions& imperfection, const Place& place)
 {
     if (imperfection.shortest > imperfection.longest)
     {
@@ -160,7 +163,7 @@ void check_imperfection(const ImperfectionOptions& imperfection, const Place& pl
 
 void check_solver(const Options& options, const Place& place)
 {
-    if (options.dynamics.integrator == Integrator::rk4 && options.contact.enabled)
+    if (options.dynamics.integrator == dynamics::Integrator::rk4 && options.contact.enabled)
     {
         throw InputError(fmt::format("contact.enabled{} is true, but solver.integrator{} is \"rk4\": expected "
                                      "\"symplectic_euler\", whose steps keep surfaces from crossing",
@@ -170,15 +173,15 @@ void check_solver(const Options& options, const Place& place)
 
 } // namespace
 
-double shape_volume(const GeometryOptions& geometry)
+double shape_volume(const prepare::GeometryOptions& geometry)
 {
     constexpr double factor = 4.0 / 3.0 * std::numbers::pi;
-    if (geometry.shape == Shape::sphere)
+    if (geometry.shape == prepare::Shape::sphere)
     {
         return factor * std::pow(geometry.radius_mm, 3);
     }
     const auto& axes = geometry.semi_axes_mm;
-    return geometry.shape == Shape::ellipsoid ? factor * axes[0] * axes[1] * axes[2] : 0.0;
+    return geometry.shape == prepare::Shape::ellipsoid ? factor * axes[0] * axes[1] * axes[2] : 0.0;
 }
 
 void check_case(const Options& options, const Place& place)
@@ -195,7 +198,7 @@ void check_case(const Options& options, const Place& place)
 
 std::vector<std::string> dropped_outputs(const Options& options, double from, std::span<const double> recorded)
 {
-    const TimeOptions& time = options.time;
+    const model::TimeOptions& time = options.time;
     std::vector<std::string> warnings;
     const auto add =
         [&](std::string_view key, std::span<const double> asked, const std::string& span, auto&& growth_time_of)
@@ -205,13 +208,13 @@ std::vector<std::string> dropped_outputs(const Options& options, double from, st
         for (const double value : asked)
         {
             const double t = growth_time_of(value);
-            const bool is_recorded =
-                std::ranges::any_of(recorded, [&](double known) { return std::abs(known - t) < same_output_time; });
-            if (t < time.start - same_output_time || t > time.end + same_output_time)
+            const bool is_recorded = std::ranges::any_of(recorded, [&](double known)
+                                                         { return std::abs(known - t) < model::same_output_time; });
+            if (t < time.start - model::same_output_time || t > time.end + model::same_output_time)
             {
                 outside.push_back(value);
             }
-            else if (t < from - same_output_time && !is_recorded)
+            else if (t < from - model::same_output_time && !is_recorded)
             {
                 passed.push_back(value);
             }
@@ -233,23 +236,23 @@ std::vector<std::string> dropped_outputs(const Options& options, double from, st
     add("output.picture_times", options.output.picture_times, span, as_given);
     add("output.weeks", options.output.weeks,
         fmt::format("weeks {:g} to {:g}", time.start_week.value_or(0.0), time.end_week.value_or(0.0)),
-        [&](double week) { return std::max(0.0, growth_time(time.clock, week)); });
+        [&](double week) { return std::max(0.0, material::growth_time(time.clock, week)); });
     return warnings;
 }
 
 std::vector<std::string> case_warnings(const Options& options)
 {
     std::vector<std::string> warnings = dropped_outputs(options, options.time.start);
-    if (options.size.law == LengthLaw::hyperbolic && options.time.clock == GestationalClock::wang)
+    if (options.size.law == material::LengthLaw::hyperbolic && options.time.clock == material::GestationalClock::wang)
     {
         warnings.emplace_back("size.law = \"hyperbolic\" belongs to time.clock = \"cubic\": with \"wang\" its lengths "
                               "are those of other weeks");
     }
-    if (!options.contact.enabled && options.formulation == Formulation::corrected)
+    if (!options.contact.enabled && options.formulation == thesis::Formulation::corrected)
     {
         warnings.emplace_back("contact is off: folds will pass through each other");
     }
     return warnings;
 }
 
-} // namespace corticle
+} // namespace corticle::config

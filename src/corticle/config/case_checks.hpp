@@ -9,7 +9,7 @@
 #include <span>
 #include <string_view>
 
-namespace corticle
+namespace corticle::config
 {
 
 /// Checks what no single parameter can tell. `place(key)` says where a key was given: " (case.toml:4)", or "".
@@ -17,7 +17,7 @@ namespace corticle
 void check_case(const Options& options, const std::function<std::string(std::string_view)>& place);
 
 /// Volume of the built-in shapes [mm³]; 0 for a file.
-double shape_volume(const GeometryOptions& geometry);
+double shape_volume(const prepare::GeometryOptions& geometry);
 
 /// What is allowed but probably not meant, one line each.
 std::vector<std::string> case_warnings(const Options& options);
@@ -26,4 +26,4 @@ std::vector<std::string> case_warnings(const Options& options);
 /// time `from` on does not reach. @param recorded  output times that an earlier part of the run has written
 std::vector<std::string> dropped_outputs(const Options& options, double from, std::span<const double> recorded = {});
 
-} // namespace corticle
+} // namespace corticle::config

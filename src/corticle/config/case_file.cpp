@@ -19,7 +19,7 @@
 #include <map>
 #include <set>
 
-namespace corticle
+namespace corticle::config
 {
 
 namespace
@@ -194,7 +194,7 @@ void CaseReader::settle_alternatives()
     replace("output.times", "output.weeks");
     replace("time.start_week", "time.start");
     replace("time.end_week", "time.end");
-    if (options_.tissue.thickness_preset != ThicknessPreset::none)
+    if (options_.tissue.thickness_preset != material::ThicknessPreset::none)
     {
         replace("tissue.thickness_preset", "tissue.thickness_mm");
         replace("tissue.thickness_preset", "tissue.thickness_rate_mm");
@@ -212,10 +212,10 @@ void CaseReader::read_overrides(std::span<const std::string> overrides)
 
 Options CaseReader::finish()
 {
-    GeometryOptions& geometry = options_.geometry;
+    prepare::GeometryOptions& geometry = options_.geometry;
     if (!geometry.spacing_mm && !geometry.particles && !options_.elements)
     {
-        geometry.particles = default_particles;
+        geometry.particles = prepare::default_particles;
     }
     const auto place = [&](std::string_view key)
     {
@@ -295,4 +295,4 @@ std::vector<std::string> differing_body_keys(std::string_view resolved_a, std::s
     return differing(resolved_a, resolved_b, matters_to_a_body);
 }
 
-} // namespace corticle
+} // namespace corticle::config

@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-namespace corticle
+namespace corticle::config
 {
 
 /// Reads a case (TOML) and then `overrides` ("section.key=value"); checks every key, type and range.
@@ -33,4 +33,4 @@ std::vector<std::string> differing_body_keys(std::string_view resolved_a, std::s
 std::string schema_text();
 std::string schema_markdown();
 
-} // namespace corticle
+} // namespace corticle::config

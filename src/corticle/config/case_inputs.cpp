@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace corticle
+namespace corticle::config
 {
 
 namespace
@@ -52,7 +52,7 @@ std::string identify(const fs::path& file, KnownChecksums& known)
     const auto [found, is_new] = known.try_emplace(file);
     if (is_new)
     {
-        found->second = sha256_of_file(file);
+        found->second = formats::sha256_of_file(file);
     }
     return found->second;
 }
@@ -143,4 +143,4 @@ std::string input_difference(const Parameter& parameter, const Options& a, const
                             : fmt::format("{}: {} -> {}, another content {}", parameter.key, file_a, file_b, sums);
 }
 
-} // namespace corticle
+} // namespace corticle::config

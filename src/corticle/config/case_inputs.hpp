@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace corticle
+namespace corticle::config
 {
 
 struct Parameter;
@@ -38,4 +38,4 @@ std::string inputs_toml(const Options& options);
 /// empty where it is the same file by content or, where a checksum is missing, by name.
 std::string input_difference(const Parameter& parameter, const Options& a, const Options& b);
 
-} // namespace corticle
+} // namespace corticle::config

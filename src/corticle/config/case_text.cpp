@@ -9,7 +9,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace corticle
+namespace corticle::config
 {
 
 std::string read_case_text(const std::filesystem::path& file, std::string_view what)
@@ -40,4 +40,4 @@ std::string read_case_text(const std::filesystem::path& file, std::string_view w
     return text;
 }
 
-} // namespace corticle
+} // namespace corticle::config

@@ -8,7 +8,7 @@
 
 #include <array>
 
-namespace corticle
+namespace corticle::config
 {
 
 namespace
@@ -44,12 +44,12 @@ const std::array<ThesisValue, 12>& thesis_values()
 
 void settle_formulation(Options& options, const std::function<std::string(std::string_view)>& place)
 {
-    if (options.formulation == Formulation::thesis)
+    if (options.formulation == thesis::Formulation::thesis)
     {
         for (const ThesisValue& entry : thesis_values())
         {
             const bool is_moot =
-                entry.key == std::string_view("tissue.lambda") && options.tissue.layer != Layer::binary;
+                entry.key == std::string_view("tissue.lambda") && options.tissue.layer != material::Layer::binary;
             if (place(entry.key).empty() && !is_moot)
             {
                 find_parameter(entry.key)->set(options, entry.value);
@@ -68,4 +68,4 @@ void settle_formulation(Options& options, const std::function<std::string(std::s
     }
 }
 
-} // namespace corticle
+} // namespace corticle::config

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace corticle
+namespace corticle::config
 {
 
 /// Whether pictures are drawn.
@@ -30,10 +30,10 @@ struct OutputOptions
 };
 
 /// All that a case file says.
-struct Options : PreparationOptions
+struct Options : prepare::PreparationOptions
 {
     OutputOptions output;
     std::map<std::string, std::string, std::less<>> inputs; ///< SHA-256 of the file that a key ("geometry.file") names
 };
 
-} // namespace corticle
+} // namespace corticle::config

@@ -10,121 +10,121 @@
 
 // How parameters are made from members of Options: what parameter_table.cpp is written in.
 
-namespace corticle::detail
+namespace corticle::config::detail
 {
 
 /// Names of enumerators, in their order.
 template <class Enum>
 std::vector<std::string> names();
 template <>
-inline std::vector<std::string> names<Method>()
+inline std::vector<std::string> names<model::Method>()
 {
     return {"tlsph", "fem"};
 }
 template <>
-inline std::vector<std::string> names<Layer>()
+inline std::vector<std::string> names<material::Layer>()
 {
     return {"smooth", "binary"};
 }
 template <>
-inline std::vector<std::string> names<ThicknessPreset>()
+inline std::vector<std::string> names<material::ThicknessPreset>()
 {
     std::vector<std::string> all{"none"};
-    for (const PresetThickness& row : thickness_presets())
+    for (const material::PresetThickness& row : material::thickness_presets())
     {
         all.emplace_back(row.name);
     }
     return all;
 }
 template <>
-inline std::vector<std::string> names<BulkRule>()
+inline std::vector<std::string> names<material::BulkRule>()
 {
     return {"per_tissue", "uniform"};
 }
 template <>
-inline std::vector<std::string> names<GrowthLaw>()
+inline std::vector<std::string> names<material::GrowthLaw>()
 {
     return {"linear", "gompertz"};
 }
 template <>
-inline std::vector<std::string> names<NormalFrame>()
+inline std::vector<std::string> names<material::NormalFrame>()
 {
     return {"reference", "current"};
 }
 template <>
-inline std::vector<std::string> names<GestationalClock>()
+inline std::vector<std::string> names<material::GestationalClock>()
 {
     return {"none", "wang", "cubic"};
 }
 template <>
-inline std::vector<std::string> names<LengthLaw>()
+inline std::vector<std::string> names<material::LengthLaw>()
 {
     return {"none", "hyperbolic", "quadratic"};
 }
 template <>
-inline std::vector<std::string> names<SizedState>()
+inline std::vector<std::string> names<material::SizedState>()
 {
     return {"reference", "body"};
 }
 template <>
-inline std::vector<std::string> names<Formulation>()
+inline std::vector<std::string> names<thesis::Formulation>()
 {
     return {"corrected", "thesis"};
 }
 template <>
-inline std::vector<std::string> names<GrowthEntry>()
+inline std::vector<std::string> names<thesis::GrowthEntry>()
 {
     return {"multiplied", "divided"};
 }
 template <>
-inline std::vector<std::string> names<ForceForm>()
+inline std::vector<std::string> names<thesis::ForceForm>()
 {
     return {"difference", "conservative"};
 }
 template <>
-inline std::vector<std::string> names<KernelGradient>()
+inline std::vector<std::string> names<thesis::KernelGradient>()
 {
     return {"plain", "displacement", "corrected"};
 }
 template <>
-inline std::vector<std::string> names<Integrator>()
+inline std::vector<std::string> names<dynamics::Integrator>()
 {
     return {"symplectic_euler", "rk4"};
 }
 template <>
-inline std::vector<std::string> names<Coordinates>()
+inline std::vector<std::string> names<formats::Coordinates>()
 {
     return {"scanner", "file"};
 }
 template <>
-inline std::vector<std::string> names<Shape>()
+inline std::vector<std::string> names<prepare::Shape>()
 {
-    return {shape_names.begin(), shape_names.end()};
+    return {prepare::shape_names.begin(), prepare::shape_names.end()};
 }
 template <>
-inline std::vector<std::string> names<Arrangement>()
+inline std::vector<std::string> names<prepare::Arrangement>()
 {
-    return {arrangement_names.begin(), arrangement_names.end()};
+    return {prepare::arrangement_names.begin(), prepare::arrangement_names.end()};
 }
 template <>
-inline std::vector<std::string> names<VolumeRule>()
+inline std::vector<std::string> names<prepare::VolumeRule>()
 {
     return {"cells", "neighbour_count"};
 }
 template <>
-inline std::vector<std::string> names<NormalRule>()
+inline std::vector<std::string> names<prepare::NormalRule>()
 {
     return {"surface", "divisions"};
 }
 template <>
-inline std::vector<std::string> names<UnitOfLength>()
+inline std::vector<std::string> names<formats::UnitOfLength>()
 {
     return {"mm", "cm", "m"};
 }
 template <>
-inline std::vector<std::string> names<Hemisphere>()
+inline std::vector<std::string> names<imaging::Hemisphere>()
 {
-    return {hemisphere_names.begin(), hemisphere_names.end()};
+    return {imaging::hemisphere_names.begin(), imaging::hemisphere_names.end()};
 }
 template <>
 inline std::vector<std::string> names<PictureRule>()
@@ -132,7 +132,7 @@ inline std::vector<std::string> names<PictureRule>()
     return {"on", "off"};
 }
 template <>
-inline std::vector<std::string> names<Repair>()
+inline std::vector<std::string> names<geometry::Repair>()
 {
     return {"auto", "wrap", "none"};
 }
@@ -246,7 +246,7 @@ inline Parameter with_example(Parameter parameter, std::string example)
 inline Parameter without_clock(Parameter parameter)
 {
     parameter.get = [get = parameter.get](const Options& options) -> Value
-    { return options.time.clock == GestationalClock::none ? get(options) : Unsupported{}; };
+    { return options.time.clock == material::GestationalClock::none ? get(options) : Unsupported{}; };
     return parameter;
 }
 
@@ -254,7 +254,7 @@ inline Parameter without_clock(Parameter parameter)
 inline Parameter without_thickness_preset(Parameter parameter)
 {
     parameter.get = [get = parameter.get](const Options& options) -> Value
-    { return options.tissue.thickness_preset == ThicknessPreset::none ? get(options) : Unsupported{}; };
+    { return options.tissue.thickness_preset == material::ThicknessPreset::none ? get(options) : Unsupported{}; };
     return parameter;
 }
 
@@ -262,7 +262,7 @@ inline Parameter without_thickness_preset(Parameter parameter)
 inline Parameter of_thesis(Parameter parameter)
 {
     parameter.get = [get = parameter.get](const Options& options) -> Value
-    { return options.formulation == Formulation::thesis ? get(options) : Unsupported{}; };
+    { return options.formulation == thesis::Formulation::thesis ? get(options) : Unsupported{}; };
     return parameter;
 }
 
@@ -286,4 +286,4 @@ inline Range at_least(double low)
     return {low, std::numeric_limits<double>::infinity(), false};
 }
 
-} // namespace corticle::detail
+} // namespace corticle::config::detail

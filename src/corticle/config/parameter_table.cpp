@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-namespace corticle
+namespace corticle::config
 {
 
 namespace
@@ -62,7 +62,7 @@ std::vector<Parameter> geometry_parameters()
                                CORTICLE_MEMBER(geometry.spacing_mm)),
                      "0.5"),
         parameter("geometry.particles", "",
-                  between(static_cast<double>(fewest_particles), static_cast<double>(most_particles)),
+                  between(static_cast<double>(prepare::fewest_particles), static_cast<double>(prepare::most_particles)),
                   "About this many particles or nodes; instead of spacing_mm.", CORTICLE_MEMBER(geometry.particles)),
         parameter("geometry.seed", "", at_least(0.0), "Seed of the arrangement of particles.",
                   CORTICLE_MEMBER(geometry.seed)),
@@ -118,7 +118,7 @@ std::string thickness_preset_sentence()
 {
     std::string sentence = "A thickness by name instead of the two keys below:";
     std::string_view separator = " ";
-    for (const PresetThickness& row : thickness_presets())
+    for (const material::PresetThickness& row : material::thickness_presets())
     {
         sentence +=
             fmt::format("{}{} is {} mm + {} mm t ({})", separator, row.name, row.initial_mm, row.rate_mm, row.source);
@@ -184,7 +184,7 @@ std::vector<Parameter> imperfection_parameters()
                       "grow from; not given: 0 for a body from a file, whose shape is imperfect enough, and for "
                       "the thesis's formulation.",
                       CORTICLE_MEMBER(imperfection.amplitude)),
-            [](const Options& options) { return imperfection_amplitude(options); }),
+            [](const Options& options) { return prepare::imperfection_amplitude(options); }),
         parameter("imperfection.seed", "", at_least(0.0), "Seed of that field.", CORTICLE_MEMBER(imperfection.seed)),
         parameter("imperfection.shortest", "thicknesses", between(1.0, 1000.0),
                   "Its shortest wavelength, in thicknesses of the cortex.", CORTICLE_MEMBER(imperfection.shortest)),
@@ -334,8 +334,8 @@ std::span<const Parameter> parameters()
 Options default_options()
 {
     Options options;
-    options.geometry.particles = default_particles;
+    options.geometry.particles = prepare::default_particles;
     return options;
 }
 
-} // namespace corticle
+} // namespace corticle::config

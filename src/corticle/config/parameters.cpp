@@ -11,7 +11,7 @@
 #include <numeric>
 #include <utility>
 
-namespace corticle
+namespace corticle::config
 {
 
 namespace
@@ -225,4 +225,4 @@ void assign(Options& options, const Parameter& parameter, const Value& value, co
     parameter.set(options, typed);
 }
 
-} // namespace corticle
+} // namespace corticle::config

@@ -13,7 +13,7 @@
 
 // The one table of parameters: parsing, messages, resolved cases and the schema derive from it.
 
-namespace corticle
+namespace corticle::config
 {
 
 inline constexpr std::int64_t fewest_elements = 2500;
@@ -82,4 +82,4 @@ Options default_options();
 /// @throws InputError for a wrong type, a number out of range or not finite, an unknown choice.
 void assign(Options& options, const Parameter& parameter, const Value& value, const std::string& where);
 
-} // namespace corticle
+} // namespace corticle::config

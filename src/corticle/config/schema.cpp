@@ -13,7 +13,7 @@
 
 #include <algorithm>
 
-namespace corticle
+namespace corticle::config
 {
 
 namespace
@@ -50,7 +50,7 @@ std::string default_text(const Parameter& parameter)
     Options options = default_options();
     if (parameter.section() == "thesis")
     {
-        options.formulation = Formulation::thesis;
+        options.formulation = thesis::Formulation::thesis;
     }
     return toml_text(parameter.get(options));
 }
@@ -78,12 +78,12 @@ void each_parameter(Section&& section, One&& one)
 }
 
 /// Keys of [geometry] that only another shape uses.
-bool is_of_other_shape(const Parameter& parameter, Shape shape)
+bool is_of_other_shape(const Parameter& parameter, prepare::Shape shape)
 {
     const std::string& key = parameter.key;
-    return (key == "geometry.radius_mm" && shape != Shape::sphere) ||
-           (key == "geometry.semi_axes_mm" && shape != Shape::ellipsoid) ||
-           ((key == "geometry.file" || key == "geometry.unit") && shape != Shape::file);
+    return (key == "geometry.radius_mm" && shape != prepare::Shape::sphere) ||
+           (key == "geometry.semi_axes_mm" && shape != prepare::Shape::ellipsoid) ||
+           ((key == "geometry.file" || key == "geometry.unit") && shape != prepare::Shape::file);
 }
 
 } // namespace
@@ -106,11 +106,11 @@ std::string to_toml(const Options& options)
     return text + inputs_toml(options);
 }
 
-std::string starter_case(Shape shape)
+std::string starter_case(prepare::Shape shape)
 {
     Options options = default_options();
     options.geometry.shape = shape;
-    options.geometry.file = shape == Shape::file ? "surface.stl" : "";
+    options.geometry.file = shape == prepare::Shape::file ? "surface.stl" : "";
     std::string text = "# A starter case: every key with its default. Delete what you do not change.\n"
                        "# `corticle check` prints what a case comes to, `corticle run` runs it.\n";
     each_parameter([&](const std::string& section) { text += fmt::format("\n[{}]\n", section); },
@@ -172,4 +172,4 @@ std::string schema_markdown()
     return text;
 }
 
-} // namespace corticle
+} // namespace corticle::config

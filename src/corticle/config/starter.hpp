@@ -5,10 +5,10 @@
 
 #include <string>
 
-namespace corticle
+namespace corticle::config
 {
 
 /// A commented case to start from; `shape` as in geometry.shape.
-std::string starter_case(Shape shape);
+std::string starter_case(prepare::Shape shape);
 
-} // namespace corticle
+} // namespace corticle::config

@@ -6,12 +6,12 @@
 
 #include <fmt/format.h>
 
-namespace corticle
+namespace corticle::config
 {
 
-void settle_thickness(TissueOptions& tissue, const std::function<std::string(std::string_view)>& place)
+void settle_thickness(material::TissueOptions& tissue, const std::function<std::string(std::string_view)>& place)
 {
-    if (tissue.thickness_preset == ThicknessPreset::none)
+    if (tissue.thickness_preset == material::ThicknessPreset::none)
     {
         return;
     }
@@ -25,7 +25,7 @@ void settle_thickness(TissueOptions& tissue, const std::function<std::string(std
                                          key, place(key), place("tissue.thickness_preset")));
         }
     }
-    apply_thickness_preset(tissue);
+    material::apply_thickness_preset(tissue);
 }
 
-} // namespace corticle
+} // namespace corticle::config

@@ -7,12 +7,12 @@
 #include <string>
 #include <string_view>
 
-namespace corticle
+namespace corticle::config
 {
 
 /// Puts the numbers of tissue.thickness_preset in place. `place(key)` says where a key was given: " (case.toml:4)", or
 /// "".
 /// @throws InputError where a preset stands beside a number of the thickness or beside tissue.lambda
-void settle_thickness(TissueOptions& tissue, const std::function<std::string(std::string_view)>& place);
+void settle_thickness(material::TissueOptions& tissue, const std::function<std::string(std::string_view)>& place);
 
-} // namespace corticle
+} // namespace corticle::config

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace corticle
+namespace corticle::config
 {
 
 namespace
@@ -187,4 +187,4 @@ std::optional<Value> parse_toml_value(std::string_view text)
     }
 }
 
-} // namespace corticle
+} // namespace corticle::config

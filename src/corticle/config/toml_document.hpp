@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace corticle
+namespace corticle::config
 {
 
 /// A section, or a key with its value, in the order of the file.
@@ -44,4 +44,4 @@ std::vector<TomlEntry> parse_toml(std::string_view text, const std::string& name
 /// One value written as TOML; nothing where the text is not such a value.
 std::optional<Value> parse_toml_value(std::string_view text);
 
-} // namespace corticle
+} // namespace corticle::config

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-namespace corticle
+namespace corticle::config
 {
 
 namespace
@@ -96,4 +96,4 @@ std::string printable(std::string_view text, std::size_t longest)
     return result;
 }
 
-} // namespace corticle
+} // namespace corticle::config

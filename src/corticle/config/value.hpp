@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-namespace corticle
+namespace corticle::config
 {
 
 /// Not given, or something that no parameter takes (a date, a table, a list of strings): `what` says it.
@@ -28,4 +28,4 @@ std::string describe(const Value& value);
 /// `text` shortened and without control characters, fit for a one-line message.
 std::string printable(std::string_view text, std::size_t longest = 120);
 
-} // namespace corticle
+} // namespace corticle::config

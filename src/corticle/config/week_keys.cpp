@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace corticle
+namespace corticle::config
 {
 
 namespace
@@ -18,9 +18,10 @@ namespace
 using Place = std::function<std::string(std::string_view)>;
 
 /// The cortex can thin only where it is known beforehand how the reference state grows.
-void check_thinning(const SizeOptions& size, const Place& place)
+void check_thinning(const material::SizeOptions& size, const Place& place)
 {
-    if (size.thin_cortex && (size.law == LengthLaw::none || size.applies_to != SizedState::reference))
+    if (size.thin_cortex &&
+        (size.law == material::LengthLaw::none || size.applies_to != material::SizedState::reference))
     {
         throw InputError(fmt::format("size.thin_cortex{} is true: expected a size.law{} with size.applies_to{} = "
                                      "\"reference\"",
@@ -43,7 +44,7 @@ void refuse_weeks(const Options& options, const Place& place)
     refuse("time.start_week", options.time.start_week.has_value());
     refuse("time.end_week", options.time.end_week.has_value());
     refuse("output.weeks", !options.output.weeks.empty());
-    refuse("size.law", options.size.law != LengthLaw::none);
+    refuse("size.law", options.size.law != material::LengthLaw::none);
     if (options.time.start >= options.time.end)
     {
         throw InputError(fmt::format("time.start{} is out of range: got {:g}, expected less than time.end = {:g}",
@@ -74,9 +75,9 @@ void refuse_times(const Options& options, const Place& place)
 double week_in_range(const Options& options, std::string_view key, const std::optional<double>& week,
                      const Place& place)
 {
-    const auto [first, last] = week_range(options.time.clock);
+    const auto [first, last] = material::week_range(options.time.clock);
     const auto expected = fmt::format("{:g} to {:g} weeks, as time.clock{} is \"{}\"", first, last, place("time.clock"),
-                                      options.time.clock == GestationalClock::wang ? "wang" : "cubic");
+                                      options.time.clock == material::GestationalClock::wang ? "wang" : "cubic");
     if (!week)
     {
         throw InputError(fmt::format("{} is missing: got none, expected {}", key, expected));
@@ -92,9 +93,9 @@ double week_in_range(const Options& options, std::string_view key, const std::op
 
 void settle_weeks(Options& options, const Place& place)
 {
-    TimeOptions& time = options.time;
+    model::TimeOptions& time = options.time;
     check_thinning(options.size, place);
-    if (time.clock == GestationalClock::none)
+    if (time.clock == material::GestationalClock::none)
     {
         refuse_weeks(options, place);
         return;
@@ -113,8 +114,8 @@ void settle_weeks(Options& options, const Place& place)
         week_in_range(options, "output.weeks", week, place);
     }
     // The rounded coefficients of the cubic clock put 22 weeks at t = -2e-5.
-    time.start = std::max(0.0, growth_time(time.clock, start));
-    time.end = growth_time(time.clock, end);
+    time.start = std::max(0.0, material::growth_time(time.clock, start));
+    time.end = material::growth_time(time.clock, end);
 }
 
-} // namespace corticle
+} // namespace corticle::config

@@ -6,7 +6,7 @@
 #include <functional>
 #include <string_view>
 
-namespace corticle
+namespace corticle::config
 {
 
 /// Checks the keys that speak of weeks and, where there is a clock, sets time.start and time.end from them.
@@ -14,4 +14,4 @@ namespace corticle
 /// @throws InputError for a week without a clock, a clock without weeks, and weeks beyond its range or in wrong order
 void settle_weeks(Options& options, const std::function<std::string(std::string_view)>& place);
 
-} // namespace corticle
+} // namespace corticle::config

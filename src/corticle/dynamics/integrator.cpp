@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace corticle
+namespace corticle::dynamics
 {
 
 StepEnergies advance(const Motion& from, std::span<const double> mass, double dt, double damping, Motion& to)
@@ -43,4 +43,4 @@ StepEnergies advance(const Motion& from, std::span<const double> mass, double dt
     return energies;
 }
 
-} // namespace corticle
+} // namespace corticle::dynamics

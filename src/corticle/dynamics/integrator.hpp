@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace corticle
+namespace corticle::dynamics
 {
 
 /// Positions [mm], velocities [mm per unit of time] and forces [mu_w mm²] of all particles at one time.
@@ -47,4 +47,4 @@ inline double contact_step(double cfl, double largest_rate)
     return share * cfl / largest_rate;
 }
 
-} // namespace corticle
+} // namespace corticle::dynamics

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace corticle
+namespace corticle::dynamics
 {
 
 namespace
@@ -21,11 +21,11 @@ constexpr double kinetic_share = 1e-3;  ///< kinetic over elastic energy that lo
 constexpr double adjusting_time = 0.03; ///< growth time [t] in which the rate follows then
 
 /// Growth of the cortex over that of the white matter where m = 1.
-double relative_growth(const TissueOptions& tissue, double t)
+double relative_growth(const material::TissueOptions& tissue, double t)
 {
-    const GrowthCourse course{tissue.growth_law, tissue.growth_onset, tissue.growth_rate};
+    const material::GrowthCourse course{tissue.growth_law, tissue.growth_onset, tissue.growth_rate};
     const double f = course.value(t);
-    return material_point(tissue, 1.0, 1.0, f).growth / material_point(tissue, 0.0, 1.0, f).growth;
+    return material::material_point(tissue, 1.0, 1.0, f).growth / material::material_point(tissue, 0.0, 1.0, f).growth;
 }
 
 double follow(double rate, double wanted, double part)
@@ -35,9 +35,9 @@ double follow(double rate, double wanted, double part)
 
 } // namespace
 
-Loading::Loading(const DynamicsOptions& dynamics, const TissueOptions& tissue, double start)
+Loading::Loading(const DynamicsOptions& dynamics, const material::TissueOptions& tissue, double start)
     : dynamics_(dynamics), tissue_(tissue), growth_at_start_(relative_growth(tissue, start)),
-      critical_growth_(critical_layer(tissue).growth)
+      critical_growth_(material::critical_layer(tissue).growth)
 {
 }
 
@@ -64,4 +64,4 @@ double Loading::next(const LoadedStep& step) const
     return follow(step.rate, wanted, step.growth_step / adjusting_time);
 }
 
-} // namespace corticle
+} // namespace corticle::dynamics

@@ -4,7 +4,7 @@
 #include "corticle/dynamics/options.hpp"
 #include "corticle/material/options.hpp"
 
-namespace corticle
+namespace corticle::dynamics
 {
 
 /// What a step leaves behind that the rate of loading depends on.
@@ -25,7 +25,7 @@ class Loading
 {
   public:
     /// @param start  t at which the body is free of stress
-    Loading(const DynamicsOptions& dynamics, const TissueOptions& tissue, double start);
+    Loading(const DynamicsOptions& dynamics, const material::TissueOptions& tissue, double start);
 
     /// The rate of the next step [1/T].
     double next(const LoadedStep& step) const;
@@ -35,9 +35,9 @@ class Loading
 
   private:
     DynamicsOptions dynamics_;
-    TissueOptions tissue_;
+    material::TissueOptions tissue_;
     double growth_at_start_;
     double critical_growth_;
 };
 
-} // namespace corticle
+} // namespace corticle::dynamics

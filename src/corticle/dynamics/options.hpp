@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace corticle
+namespace corticle::dynamics
 {
 
 enum class Integrator
@@ -30,4 +30,4 @@ inline double quickened_steps(const DynamicsOptions& options)
     return options.fastest_loading > 1.0 ? 0.7 : 1.0;
 }
 
-} // namespace corticle
+} // namespace corticle::dynamics

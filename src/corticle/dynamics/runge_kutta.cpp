@@ -3,7 +3,7 @@
 
 #include "corticle/base/parallel.hpp"
 
-namespace corticle
+namespace corticle::dynamics
 {
 
 namespace
@@ -54,4 +54,4 @@ std::optional<StepEnergies> RungeKutta4::advance(const Motion& from, std::span<c
     return energies;
 }
 
-} // namespace corticle
+} // namespace corticle::dynamics

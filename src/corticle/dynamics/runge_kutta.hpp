@@ -6,7 +6,7 @@
 #include <functional>
 #include <optional>
 
-namespace corticle
+namespace corticle::dynamics
 {
 
 /// The classical Runge-Kutta method of fourth order for x'' = f(x, x', t) / m - damping x'.
@@ -27,4 +27,4 @@ class RungeKutta4
     std::vector<Vec3> rate_sum_;     ///< the same of the accelerations
 };
 
-} // namespace corticle
+} // namespace corticle::dynamics

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace corticle
+namespace corticle::dynamics
 {
 
 /// A step that is about to be tried.
@@ -28,4 +28,4 @@ inline StepPlan plan_step(double t, double t_stop, double stable, double rate, d
     return {t, end, (end - t) * total_time / rate};
 }
 
-} // namespace corticle
+} // namespace corticle::dynamics

@@ -15,7 +15,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-namespace corticle
+namespace corticle::formats
 {
 
 namespace
@@ -164,4 +164,4 @@ void write_text_atomically(const std::filesystem::path& file, std::string_view t
     write_atomically(file, [&](const std::filesystem::path& temporary) { write_all(file, temporary, text); });
 }
 
-} // namespace corticle
+} // namespace corticle::formats

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace corticle
+namespace corticle::formats
 {
 
 /// Calls `write(path)` with a temporary name beside `file`, flushes what it wrote to disk and renames it to `file`:
@@ -25,4 +25,4 @@ std::string target_of_temporary(std::string_view name);
 /// that was written. Some file systems refuse; nothing is lost but that certainty.
 void flush_names(const std::filesystem::path& folder);
 
-} // namespace corticle
+} // namespace corticle::formats

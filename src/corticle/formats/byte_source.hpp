@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-namespace corticle
+namespace corticle::formats
 {
 
 /// Takes bytes off raw or base64 text; padding inside base64 ends one stretch and begins the next, as VTK writes it.
@@ -106,4 +106,4 @@ class ByteSource
     std::string pending_; ///< decoded, not yet taken
 };
 
-} // namespace corticle
+} // namespace corticle::formats

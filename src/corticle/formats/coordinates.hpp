@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-namespace corticle
+namespace corticle::formats
 {
 
 /// What becomes of the coordinates of a file whose metadata describe how to get to the scanner's: the matrices of
@@ -12,4 +12,4 @@ enum class Coordinates
     file     ///< the numbers are taken as they are
 };
 
-} // namespace corticle
+} // namespace corticle::formats

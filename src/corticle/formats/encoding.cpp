@@ -8,7 +8,7 @@
 #include <vtkNew.h>
 #include <vtkZLibDataCompressor.h>
 
-namespace corticle
+namespace corticle::formats
 {
 
 namespace
@@ -75,4 +75,4 @@ std::string to_base64(std::string_view bytes)
     return text;
 }
 
-} // namespace corticle
+} // namespace corticle::formats

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace corticle
+namespace corticle::formats
 {
 
 // How XML files carry binary data. Base64 is decoded by ByteSource (byte_source.hpp).
@@ -20,4 +20,4 @@ std::string pack_zlib(std::string_view bytes);
 /// Base64 without line breaks.
 std::string to_base64(std::string_view bytes);
 
-} // namespace corticle
+} // namespace corticle::formats

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-namespace corticle
+namespace corticle::formats
 {
 
 /// A named array for an output file: `components` values per point (1 scalar, 3 vector, 9 tensor by rows).
@@ -15,4 +15,4 @@ struct Field
     std::span<const double> values;
 };
 
-} // namespace corticle
+} // namespace corticle::formats

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <system_error>
 
-namespace corticle
+namespace corticle::formats
 {
 
 namespace
@@ -76,4 +76,4 @@ std::string lower_case_extension(const std::filesystem::path& file)
     return extension;
 }
 
-} // namespace corticle
+} // namespace corticle::formats

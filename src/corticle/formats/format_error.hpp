@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace corticle
+namespace corticle::formats
 {
 
 /// Throws InputError "FILE: what; got ...; expected ...", always one line: bytes that do not print become '?'
@@ -20,4 +20,4 @@ std::string read_whole_file(const std::filesystem::path& file);
 /// Without its dot; empty when there is none.
 std::string lower_case_extension(const std::filesystem::path& file);
 
-} // namespace corticle
+} // namespace corticle::formats

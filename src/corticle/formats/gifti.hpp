@@ -14,7 +14,7 @@
 
 // GIFTI, the exchange format of neuroimaging surfaces (www.nitrc.org/projects/gifti, version 1.0).
 
-namespace corticle
+namespace corticle::formats
 {
 
 using GiftiMetaData = std::map<std::string, std::string>;
@@ -60,4 +60,4 @@ void write_surface_gifti(const std::filesystem::path& file, std::span<const Vec3
 void write_scalars_gifti(const std::filesystem::path& file, std::span<const Field> scalars,
                          const std::string& structure = {});
 
-} // namespace corticle
+} // namespace corticle::formats

@@ -13,7 +13,7 @@
 #include <array>
 #include <utility>
 
-namespace corticle
+namespace corticle::formats
 {
 
 namespace
@@ -384,4 +384,4 @@ GiftiFile parse_gifti(std::string_view bytes, const std::string& name)
     return Parser(bytes, name).parse();
 }
 
-} // namespace corticle
+} // namespace corticle::formats

@@ -10,7 +10,7 @@
 #include <cassert>
 #include <cstring>
 
-namespace corticle
+namespace corticle::formats
 {
 
 namespace
@@ -112,4 +112,4 @@ void write_scalars_gifti(const std::filesystem::path& file, std::span<const Fiel
     write_text_atomically(file, file_xml(scalars.size(), structure_entry(structure), content));
 }
 
-} // namespace corticle
+} // namespace corticle::formats

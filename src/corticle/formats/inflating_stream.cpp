@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace corticle
+namespace corticle::formats
 {
 
 namespace
@@ -130,4 +130,4 @@ std::string gzip(std::string_view bytes)
     return result;
 }
 
-} // namespace corticle
+} // namespace corticle::formats

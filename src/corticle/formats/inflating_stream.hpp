@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace corticle
+namespace corticle::formats
 {
 
 /// Takes bytes off memory that may be gzip-compressed (told by its first two bytes, not by a name), decompressing no
@@ -39,4 +39,4 @@ class InflatingStream
 /// The bytes as a gzip file, the same whenever it is made. @throws RunError when memory is short.
 std::string gzip(std::string_view bytes);
 
-} // namespace corticle
+} // namespace corticle::formats

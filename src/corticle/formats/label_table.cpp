@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace corticle
+namespace corticle::formats
 {
 
 namespace
@@ -112,4 +112,4 @@ LabelTable read_label_table(const std::filesystem::path& file, std::span<const s
     return table;
 }
 
-} // namespace corticle
+} // namespace corticle::formats

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace corticle
+namespace corticle::formats
 {
 
 /// Numbers for each region label.
@@ -29,4 +29,4 @@ struct LabelTable
 /// cells, a label that is not a whole number or is there twice, or a value that is not finite
 LabelTable read_label_table(const std::filesystem::path& file, std::span<const std::string_view> used);
 
-} // namespace corticle
+} // namespace corticle::formats

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace corticle
+namespace corticle::formats
 {
 
 void NumberSource::fail(std::string_view what, std::string_view got, std::string_view expected) const
@@ -94,4 +94,4 @@ std::int64_t NumberSource::count(int size, std::size_t binary_bytes_each, std::s
     return value;
 }
 
-} // namespace corticle
+} // namespace corticle::formats

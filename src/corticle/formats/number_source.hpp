@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace corticle
+namespace corticle::formats
 {
 
 /// Takes numbers off a file, whether they are words of text or bytes, from a position on.
@@ -50,4 +50,4 @@ class NumberSource
     std::string_view file_;
 };
 
-} // namespace corticle
+} // namespace corticle::formats

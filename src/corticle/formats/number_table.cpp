@@ -11,7 +11,7 @@
 #include <limits>
 #include <set>
 
-namespace corticle
+namespace corticle::formats
 {
 
 namespace
@@ -89,4 +89,4 @@ NumberTable read_number_table(const std::filesystem::path& file, std::span<const
     return parse_number_table(read_whole_file(file), file.string(), used);
 }
 
-} // namespace corticle
+} // namespace corticle::formats

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace corticle
+namespace corticle::formats
 {
 
 /// A column of a table of numbers.
@@ -38,4 +38,4 @@ NumberTable read_number_table(const std::filesystem::path& file, std::span<const
 NumberTable parse_number_table(std::string_view text, const std::string& name,
                                std::span<const std::string_view> used = {});
 
-} // namespace corticle
+} // namespace corticle::formats

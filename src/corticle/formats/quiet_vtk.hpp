@@ -3,7 +3,7 @@
 
 #include <vtkObject.h>
 
-namespace corticle
+namespace corticle::formats
 {
 
 /// Keeps VTK from printing from now on; what fails is thrown instead.
@@ -16,4 +16,4 @@ inline void silence_vtk()
     }();
 }
 
-} // namespace corticle
+} // namespace corticle::formats

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace corticle
+namespace corticle::formats
 {
 
 std::string sha256_of_file(const std::filesystem::path& file)
@@ -40,4 +40,4 @@ std::string sha256_of_file(const std::filesystem::path& file)
     return text;
 }
 
-} // namespace corticle
+} // namespace corticle::formats

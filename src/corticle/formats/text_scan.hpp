@@ -6,7 +6,7 @@
 #include <cstring>
 #include <string_view>
 
-namespace corticle
+namespace corticle::formats
 {
 
 inline bool is_space(char c)
@@ -117,4 +117,4 @@ Number load(const char* bytes, bool big_endian)
     return value;
 }
 
-} // namespace corticle
+} // namespace corticle::formats

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace corticle
+namespace corticle::formats
 {
 
 namespace
@@ -194,4 +194,4 @@ TextTable parse_text_table(std::string_view text, const std::string& name)
     return table;
 }
 
-} // namespace corticle
+} // namespace corticle::formats

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace corticle
+namespace corticle::formats
 {
 
 /// A table of text: cells in rows, every row with as many as the first.
@@ -34,4 +34,4 @@ struct TextTable
 /// close, and a table with both decimal commas and decimal points
 TextTable parse_text_table(std::string_view text, const std::string& name);
 
-} // namespace corticle
+} // namespace corticle::formats

@@ -26,7 +26,7 @@
 #include <string_view>
 #include <system_error>
 
-namespace corticle
+namespace corticle::formats
 {
 
 namespace
@@ -162,4 +162,4 @@ void write_pvd(const std::filesystem::path& file, std::span<const std::pair<doub
     write_text_atomically(file, text);
 }
 
-} // namespace corticle
+} // namespace corticle::formats

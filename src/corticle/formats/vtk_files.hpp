@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <utility>
 
-namespace corticle
+namespace corticle::formats
 {
 
 /// Writes a surface with point fields as .vtp (binary). The file appears whole or not at all.
@@ -40,4 +40,4 @@ ParticleFile read_particles_vtu(const std::filesystem::path& file);
 /// Frames listed in a .pvd this program wrote.
 std::vector<std::pair<double, std::string>> read_pvd(const std::filesystem::path& file);
 
-} // namespace corticle
+} // namespace corticle::formats

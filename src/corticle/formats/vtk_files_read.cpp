@@ -10,7 +10,7 @@
 
 #include <limits>
 
-namespace corticle
+namespace corticle::formats
 {
 
 namespace
@@ -145,4 +145,4 @@ std::vector<std::pair<double, std::string>> read_pvd(const std::filesystem::path
     return frames;
 }
 
-} // namespace corticle
+} // namespace corticle::formats

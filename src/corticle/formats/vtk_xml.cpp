@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace corticle
+namespace corticle::formats
 {
 
 namespace
@@ -180,4 +180,4 @@ void VtkXmlFile::parse(std::string_view bytes)
     }
 }
 
-} // namespace corticle
+} // namespace corticle::formats

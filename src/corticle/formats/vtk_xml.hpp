@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace corticle
+namespace corticle::formats
 {
 
 // A reader of VTK's XML files (.vtp, .vtu, .pvd) for bytes from anywhere. VTK's own readers trust the sizes a file
@@ -85,4 +85,4 @@ class VtkXmlFile
     mutable std::size_t budget_ = 0; ///< bytes that may still be decoded
 };
 
-} // namespace corticle
+} // namespace corticle::formats

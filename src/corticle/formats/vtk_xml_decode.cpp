@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace corticle
+namespace corticle::formats
 {
 
 namespace
@@ -199,4 +199,4 @@ std::vector<std::int64_t> VtkXmlFile::integers(const VtkXmlArray& array, std::in
     return numbers<std::int64_t>(array, count);
 }
 
-} // namespace corticle
+} // namespace corticle::formats

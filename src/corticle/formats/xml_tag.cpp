@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace corticle
+namespace corticle::formats
 {
 
 namespace
@@ -169,4 +169,4 @@ std::string escape_xml(std::string_view text)
     return result;
 }
 
-} // namespace corticle
+} // namespace corticle::formats

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace corticle
+namespace corticle::formats
 {
 
 /// An XML tag: `<name a="b">`, `<name/>` or `</name>`.
@@ -32,4 +32,4 @@ std::string unescape_xml(std::string_view text);
 /// The reverse, for an attribute.
 std::string escape_xml(std::string_view text);
 
-} // namespace corticle
+} // namespace corticle::formats

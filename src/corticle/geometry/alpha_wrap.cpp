@@ -12,7 +12,7 @@
 
 #include <limits>
 
-namespace corticle
+namespace corticle::geometry
 {
 
 namespace
@@ -129,4 +129,4 @@ TriangleMesh closed_around(const TriangleMesh& surface, double radius)
     return closed;
 }
 
-} // namespace corticle
+} // namespace corticle::geometry

@@ -3,7 +3,7 @@
 
 #include "corticle/mesh/triangle_mesh.hpp"
 
-namespace corticle
+namespace corticle::geometry
 {
 
 /// A closed surface around any set of triangles, as a ball of radius `alpha` [mm] that rolls over them at a distance of
@@ -22,4 +22,4 @@ TriangleMesh fitted_alpha_wrap(const TriangleMesh& surface, double alpha, double
 /// area are left out, and others may fold over at the rim of a gap.
 TriangleMesh closed_around(const TriangleMesh& surface, double radius);
 
-} // namespace corticle
+} // namespace corticle::geometry

@@ -12,7 +12,7 @@
 #include <functional>
 #include <numeric>
 
-namespace corticle
+namespace corticle::geometry
 {
 
 namespace
@@ -145,4 +145,4 @@ std::int64_t genus_of(const TriangleMesh& surface)
     return (2 - std::ssize(surface.vertices) + std::ssize(surface.triangles) / 2) / 2;
 }
 
-} // namespace corticle
+} // namespace corticle::geometry

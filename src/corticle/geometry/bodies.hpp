@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace corticle
+namespace corticle::geometry
 {
 
 /// What a surface encloses, its small holes filled.
@@ -32,4 +32,4 @@ SurfaceBodies find_bodies(const TriangleMesh& surface);
 /// Number of handles of a closed surface in one piece, from its Euler characteristic.
 std::int64_t genus_of(const TriangleMesh& surface);
 
-} // namespace corticle
+} // namespace corticle::geometry

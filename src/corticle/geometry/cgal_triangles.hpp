@@ -3,7 +3,7 @@
 
 #include "corticle/mesh/triangle_mesh.hpp"
 
-namespace corticle
+namespace corticle::geometry
 {
 
 /// The vertices and triangles of a CGAL::Surface_mesh, in their order, once its garbage is collected. A template, so
@@ -28,4 +28,4 @@ TriangleMesh triangles_of(Mesh& mesh)
     return result;
 }
 
-} // namespace corticle
+} // namespace corticle::geometry

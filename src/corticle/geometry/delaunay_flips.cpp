@@ -5,7 +5,7 @@
 #include <numbers>
 #include <unordered_map>
 
-namespace corticle
+namespace corticle::geometry
 {
 
 namespace
@@ -127,4 +127,4 @@ void flip_to_delaunay(TriangleMesh& mesh, std::span<const char> stays)
     }
 }
 
-} // namespace corticle
+} // namespace corticle::geometry

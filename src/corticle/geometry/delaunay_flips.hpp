@@ -3,7 +3,7 @@
 
 #include "corticle/mesh/triangle_mesh.hpp"
 
-namespace corticle
+namespace corticle::geometry
 {
 
 /// Flips edges of a closed manifold surface until, for each, the two angles opposite to it sum to no more than pi
@@ -11,4 +11,4 @@ namespace corticle
 /// and so do the edges of all triangles at the vertices marked in `stays`, one entry per vertex or none at all.
 void flip_to_delaunay(TriangleMesh& mesh, std::span<const char> stays = {});
 
-} // namespace corticle
+} // namespace corticle::geometry

@@ -5,7 +5,7 @@
 #include "corticle/geometry/delaunay_flips.hpp"
 #include "corticle/geometry/self_intersections.hpp"
 
-namespace corticle
+namespace corticle::geometry
 {
 
 namespace
@@ -148,4 +148,4 @@ void even_out(TriangleMesh& mesh, const SurfaceTree& surface, double edge_length
     }
 }
 
-} // namespace corticle
+} // namespace corticle::geometry

@@ -3,7 +3,7 @@
 
 #include "corticle/geometry/surface_tree.hpp"
 
-namespace corticle
+namespace corticle::geometry
 {
 
 /// Makes the edges of a closed mesh of about the right size more equal: vertices push the ones they share an edge with
@@ -11,4 +11,4 @@ namespace corticle
 /// Makes no self-intersections: where some would arise, or if they arise everywhere, the mesh stays as it is.
 void even_out(TriangleMesh& mesh, const SurfaceTree& surface, double edge_length);
 
-} // namespace corticle
+} // namespace corticle::geometry

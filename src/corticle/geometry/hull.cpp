@@ -12,7 +12,7 @@
 #include <string>
 #include <tuple>
 
-namespace corticle
+namespace corticle::geometry
 {
 
 namespace
@@ -109,4 +109,4 @@ TriangleMesh convex_hull(std::span<const Vec3> points)
     return result;
 }
 
-} // namespace corticle
+} // namespace corticle::geometry

@@ -3,10 +3,10 @@
 
 #include "corticle/mesh/triangle_mesh.hpp"
 
-namespace corticle
+namespace corticle::geometry
 {
 
 /// Convex hull of points [mm] (CGAL).
 TriangleMesh convex_hull(std::span<const Vec3> points);
 
-} // namespace corticle
+} // namespace corticle::geometry

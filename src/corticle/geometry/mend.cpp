@@ -17,7 +17,7 @@
 
 #include <string>
 
-namespace corticle
+namespace corticle::geometry
 {
 
 namespace
@@ -108,4 +108,4 @@ bool remove_self_intersections(TriangleMesh& surface)
     return true;
 }
 
-} // namespace corticle
+} // namespace corticle::geometry

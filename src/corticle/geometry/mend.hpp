@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace corticle
+namespace corticle::geometry
 {
 
 /// Orients triangles consistently, stitches rims that coincide, and fills every hole with triangles of the size around
@@ -18,4 +18,4 @@ TriangleMesh orient_and_fill_holes(const TriangleMesh& surface, std::int64_t& fi
 /// removing handles (CGAL). False, and the surface as it was, where that failed.
 bool remove_self_intersections(TriangleMesh& surface);
 
-} // namespace corticle
+} // namespace corticle::geometry

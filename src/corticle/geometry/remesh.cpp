@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <string>
 
-namespace corticle
+namespace corticle::geometry
 {
 
 namespace
@@ -94,4 +94,4 @@ TriangleMesh remesh_isotropic(const TriangleMesh& surface, double edge_length, R
     return result;
 }
 
-} // namespace corticle
+} // namespace corticle::geometry

@@ -3,7 +3,7 @@
 
 #include "corticle/mesh/triangle_mesh.hpp"
 
-namespace corticle
+namespace corticle::geometry
 {
 
 struct RemeshReport
@@ -17,4 +17,4 @@ struct RemeshReport
 /// Throws InputError when the result is not closed, embedded and of positive volume.
 TriangleMesh remesh_isotropic(const TriangleMesh& surface, double edge_length, RemeshReport* report = nullptr);
 
-} // namespace corticle
+} // namespace corticle::geometry

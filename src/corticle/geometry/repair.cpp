@@ -16,7 +16,7 @@
 #include <new>
 #include <optional>
 
-namespace corticle
+namespace corticle::geometry
 {
 
 namespace
@@ -330,4 +330,4 @@ RepairedSurface repair_surface(const TriangleMesh& surface, const std::string& f
     return finished(std::move(mesh), std::move(report));
 }
 
-} // namespace corticle
+} // namespace corticle::geometry

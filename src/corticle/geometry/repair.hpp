@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace corticle
+namespace corticle::geometry
 {
 
 enum class Repair
@@ -58,4 +58,4 @@ struct RepairedSurface
 RepairedSurface repair_surface(const TriangleMesh& surface, const std::string& file, Repair choice,
                                const RepairOptions& options = {});
 
-} // namespace corticle
+} // namespace corticle::geometry

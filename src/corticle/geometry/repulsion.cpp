@@ -7,7 +7,7 @@
 #include <array>
 #include <utility>
 
-namespace corticle
+namespace corticle::geometry
 {
 
 namespace
@@ -79,4 +79,4 @@ void repulsion_moves(std::span<const Vec3> points, std::int64_t first, double ra
                     });
 }
 
-} // namespace corticle
+} // namespace corticle::geometry

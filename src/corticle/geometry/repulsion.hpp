@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace corticle
+namespace corticle::geometry
 {
 
 /// Moves that spread points [mm]: move_i = step * range * sum_j w(r_ij / range) r_ij / |r_ij|, w(q) = (1 - q)², over
@@ -16,4 +16,4 @@ namespace corticle
 void repulsion_moves(std::span<const Vec3> points, std::int64_t first, double range, double step, double longest,
                      std::vector<Vec3>& moves);
 
-} // namespace corticle
+} // namespace corticle::geometry

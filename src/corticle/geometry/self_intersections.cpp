@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace corticle
+namespace corticle::geometry
 {
 
 std::vector<std::pair<std::int32_t, std::int32_t>> self_intersections(const TriangleMesh& surface)
@@ -49,4 +49,4 @@ std::int64_t intersecting_triangles(const TriangleMesh& surface)
     return std::unique(triangles.begin(), triangles.end()) - triangles.begin();
 }
 
-} // namespace corticle
+} // namespace corticle::geometry

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace corticle
+namespace corticle::geometry
 {
 
 /// Pairs of triangles that cross, or overlap beyond a shared vertex or edge, of a closed manifold surface, in
@@ -15,4 +15,4 @@ std::vector<std::pair<std::int32_t, std::int32_t>> self_intersections(const Tria
 /// Number of triangles that cross or overlap another one.
 std::int64_t intersecting_triangles(const TriangleMesh& surface);
 
-} // namespace corticle
+} // namespace corticle::geometry

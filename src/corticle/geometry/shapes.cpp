@@ -13,7 +13,7 @@
 #include <numbers>
 #include <string>
 
-namespace corticle
+namespace corticle::geometry
 {
 
 namespace
@@ -140,4 +140,4 @@ TriangleMesh make_ellipsoid(const std::array<double, 3>& semi_axes, double edge_
     return mesh;
 }
 
-} // namespace corticle
+} // namespace corticle::geometry

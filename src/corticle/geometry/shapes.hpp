@@ -3,7 +3,7 @@
 
 #include "corticle/mesh/triangle_mesh.hpp"
 
-namespace corticle
+namespace corticle::geometry
 {
 
 /// An ellipsoid centred at the origin (a sphere when the semi-axes are equal) [mm], triangulated with edges of about
@@ -11,4 +11,4 @@ namespace corticle
 /// b c / 3 to round-off.
 TriangleMesh make_ellipsoid(const std::array<double, 3>& semi_axes, double edge_length);
 
-} // namespace corticle
+} // namespace corticle::geometry

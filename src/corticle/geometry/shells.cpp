@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <functional>
 
-namespace corticle
+namespace corticle::geometry
 {
 
 namespace
@@ -126,4 +126,4 @@ TriangleMesh outer_shell(const TriangleMesh& surface, const std::string& file, s
     return std::move(body);
 }
 
-} // namespace corticle
+} // namespace corticle::geometry

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace corticle
+namespace corticle::geometry
 {
 
 /// Several bodies of comparable volume: which one is meant, only the user knows.
@@ -29,4 +29,4 @@ TriangleMesh drop_open_crumbs(const TriangleMesh& surface, std::vector<std::stri
 TriangleMesh outer_shell(const TriangleMesh& surface, const std::string& file, std::vector<double>& volumes,
                          std::vector<std::string>& lines);
 
-} // namespace corticle
+} // namespace corticle::geometry

@@ -8,7 +8,7 @@
 #include <set>
 #include <tuple>
 
-namespace corticle
+namespace corticle::geometry
 {
 
 namespace
@@ -259,4 +259,4 @@ double bounding_diagonal(const TriangleMesh& surface)
     return norm(high - low);
 }
 
-} // namespace corticle
+} // namespace corticle::geometry

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace corticle
+namespace corticle::geometry
 {
 
 /// Boundary edges that hang together.
@@ -46,4 +46,4 @@ TriangleMesh open_pinched_holes(const TriangleMesh& surface);
 /// Length of the diagonal of the bounding box [mm].
 double bounding_diagonal(const TriangleMesh& surface);
 
-} // namespace corticle
+} // namespace corticle::geometry

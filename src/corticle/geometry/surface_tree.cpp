@@ -9,7 +9,7 @@
 #include <numeric>
 #include <unordered_map>
 
-namespace corticle
+namespace corticle::geometry
 {
 
 namespace
@@ -279,4 +279,4 @@ bool SurfaceTree::segment_crosses(const Vec3& a, const Vec3& b) const
     return false;
 }
 
-} // namespace corticle
+} // namespace corticle::geometry

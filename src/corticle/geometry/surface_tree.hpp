@@ -3,7 +3,7 @@
 
 #include "corticle/mesh/triangle_mesh.hpp"
 
-namespace corticle
+namespace corticle::geometry
 {
 
 /// Closest point of a surface.
@@ -72,4 +72,4 @@ class SurfaceTree
     std::vector<std::int32_t> order_;
 };
 
-} // namespace corticle
+} // namespace corticle::geometry

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace corticle
+namespace corticle::geometry
 {
 
 // What this library and the program corticle-tetrahedralize say to each other, in the byte order of the machine: a
@@ -126,4 +126,4 @@ inline std::optional<TetAnswer> read_answer(std::string_view bytes)
     return is_sound ? std::optional(std::move(answer)) : std::nullopt;
 }
 
-} // namespace corticle
+} // namespace corticle::geometry

@@ -15,7 +15,7 @@
 #include <new>
 #include <optional>
 
-namespace corticle
+namespace corticle::geometry
 {
 
 namespace
@@ -134,4 +134,4 @@ std::int64_t nodes_for_tets(std::int64_t tets, double volume, double area, doubl
     return std::llround(high);
 }
 
-} // namespace corticle
+} // namespace corticle::geometry

@@ -3,7 +3,7 @@
 
 #include "corticle/mesh/tet_mesh.hpp"
 
-namespace corticle
+namespace corticle::geometry
 {
 
 /// Fills a closed surface with tetrahedra (Gmsh, HXT: Marot, Pellerin & Remacle 2019). The vertices of the surface are
@@ -20,4 +20,4 @@ TetMesh tetrahedralize(const TriangleMesh& surface, std::int64_t nodes);
 /// @param edge_per_spacing  edges of its surface over the cube root of the volume per node
 std::int64_t nodes_for_tets(std::int64_t tets, double volume, double area, double edge_per_spacing);
 
-} // namespace corticle
+} // namespace corticle::geometry

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace corticle
+namespace corticle::geometry
 {
 
 namespace
@@ -134,4 +134,4 @@ RayHit ray_hit(const TriangleMesh& mesh, std::int32_t triangle, const Vec3& poin
     return outward ? RayHit::outward : RayHit::inward;
 }
 
-} // namespace corticle
+} // namespace corticle::geometry

@@ -6,7 +6,7 @@
 // Tests against one triangle of a mesh. What depends on an edge is computed from its two ends in the order of their
 // indices, so that the two triangles of an edge get the same bits: no ray slips between them, and closest points tie.
 
-namespace corticle
+namespace corticle::geometry
 {
 
 /// Closest point of a triangle; a weight is exactly 0 where the point lies on the opposite edge.
@@ -26,4 +26,4 @@ enum class RayHit
 /// Where the ray from `point` meets the triangle.
 RayHit ray_hit(const TriangleMesh& mesh, std::int32_t triangle, const Vec3& point, const Vec3& direction);
 
-} // namespace corticle
+} // namespace corticle::geometry

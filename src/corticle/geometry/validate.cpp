@@ -13,7 +13,7 @@
 #include <tuple>
 #include <unordered_map>
 
-namespace corticle
+namespace corticle::geometry
 {
 
 namespace
@@ -280,4 +280,4 @@ TriangleMesh merge_duplicates(const TriangleMesh& surface)
     return result;
 }
 
-} // namespace corticle
+} // namespace corticle::geometry

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace corticle
+namespace corticle::geometry
 {
 
 /// Refuses, with one InputError line that names `source`, a surface that is not finite, closed (number of boundary
@@ -17,4 +17,4 @@ void require_valid_surface(const TriangleMesh& surface, const std::string& sourc
 /// collapse.
 TriangleMesh merge_duplicates(const TriangleMesh& surface);
 
-} // namespace corticle
+} // namespace corticle::geometry

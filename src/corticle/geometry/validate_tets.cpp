@@ -12,7 +12,7 @@
 #include <numeric>
 #include <tuple>
 
-namespace corticle
+namespace corticle::geometry
 {
 
 namespace
@@ -302,4 +302,4 @@ TetMesh require_valid_tets(TetMesh mesh, const std::string& file, TetReport* rep
     return repair.take_mesh();
 }
 
-} // namespace corticle
+} // namespace corticle::geometry

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace corticle
+namespace corticle::geometry
 {
 
 /// What was found in a tet mesh and what was done about it.
@@ -30,4 +30,4 @@ struct TetReport
 /// that is not manifold or crosses itself.
 TetMesh require_valid_tets(TetMesh mesh, const std::string& file, TetReport* report = nullptr);
 
-} // namespace corticle
+} // namespace corticle::geometry

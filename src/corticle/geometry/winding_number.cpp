@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace corticle
+namespace corticle::geometry
 {
 
 namespace
@@ -82,4 +82,4 @@ bool SurfaceTree::count_crossings(const Vec3& point, const Vec3& direction, int&
     return clean;
 }
 
-} // namespace corticle
+} // namespace corticle::geometry

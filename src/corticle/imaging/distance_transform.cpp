@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace corticle
+namespace corticle::imaging
 {
 
 namespace
@@ -104,4 +104,4 @@ std::vector<float> squared_distance_to(const VoxelGrid& grid, const Mask& mask, 
     return distance;
 }
 
-} // namespace corticle
+} // namespace corticle::imaging

@@ -3,7 +3,7 @@
 
 #include "corticle/imaging/voxel_grid.hpp"
 
-namespace corticle
+namespace corticle::imaging
 {
 
 /// Squared distance of every voxel centre to the nearest centre of a voxel whose mask equals `value` [mm²]; a very
@@ -11,4 +11,4 @@ namespace corticle
 /// axis (Felzenszwalb & Huttenlocher 2012, section 2).
 std::vector<float> squared_distance_to(const VoxelGrid& grid, const Mask& mask, std::uint8_t value);
 
-} // namespace corticle
+} // namespace corticle::imaging

@@ -4,7 +4,7 @@
 #include "corticle/base/parallel.hpp"
 #include "corticle/imaging/voxel_grid.hpp"
 
-namespace corticle
+namespace corticle::imaging
 {
 
 /// Calls line(first) for the first voxel of every line of the grid along an axis, concurrently.
@@ -17,4 +17,4 @@ void for_lines(const VoxelGrid& grid, int axis, Line&& line)
                  [&](std::int64_t k) { line(k % grid.size[u] * grid.stride(u) + k / grid.size[u] * grid.stride(v)); });
 }
 
-} // namespace corticle
+} // namespace corticle::imaging

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace corticle
+namespace corticle::imaging
 {
 
 namespace
@@ -144,4 +144,4 @@ BallMask remove_handles(const VoxelGrid& grid, const Mask& mask, std::span<const
     return result;
 }
 
-} // namespace corticle
+} // namespace corticle::imaging

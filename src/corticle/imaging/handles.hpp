@@ -6,7 +6,7 @@
 
 #include <span>
 
-namespace corticle
+namespace corticle::imaging
 {
 
 /// The mask {value > level}, made a topological ball.
@@ -21,4 +21,4 @@ struct BallMask
 /// Places are in scanner millimetres.
 BallMask remove_handles(const VoxelGrid& grid, const Mask& mask, std::span<const float> value, float level);
 
-} // namespace corticle
+} // namespace corticle::imaging

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace corticle
+namespace corticle::imaging
 {
 
 namespace
@@ -101,4 +101,4 @@ void require_both_hemispheres(const GridMask& body, const Plane& plane, std::str
                     where));
 }
 
-} // namespace corticle
+} // namespace corticle::imaging

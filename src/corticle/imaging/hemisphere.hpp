@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace corticle
+namespace corticle::imaging
 {
 
 /// Drops what belongs to neither hemisphere: of each side of the plane of symmetry the largest component is found, and
@@ -21,4 +21,4 @@ void keep_largest_of_each_side(const VoxelGrid& grid, Mask& mask);
 void require_both_hemispheres(const GridMask& body, const Plane& plane, std::string_view hemisphere,
                               std::vector<std::string>& warnings);
 
-} // namespace corticle
+} // namespace corticle::imaging

@@ -7,7 +7,7 @@
 #include <queue>
 #include <tuple>
 
-namespace corticle
+namespace corticle::imaging
 {
 
 namespace
@@ -135,4 +135,4 @@ Mask shrink_ball(const VoxelGrid& grid, const Mask& mask, std::span<const float>
     return front.run(rank);
 }
 
-} // namespace corticle
+} // namespace corticle::imaging

@@ -5,7 +5,7 @@
 
 #include <span>
 
-namespace corticle
+namespace corticle::imaging
 {
 
 /// Grows a topological ball inside a mask from its deepest voxel, taking at each moment the voxel of highest value next
@@ -20,4 +20,4 @@ Mask grow_ball(const VoxelGrid& grid, const Mask& mask, std::span<const float> v
 Mask shrink_ball(const VoxelGrid& grid, const Mask& mask, std::span<const float> value,
                  std::span<const float> distance);
 
-} // namespace corticle
+} // namespace corticle::imaging

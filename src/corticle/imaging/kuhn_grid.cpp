@@ -5,7 +5,7 @@
 
 #include <bit>
 
-namespace corticle
+namespace corticle::imaging
 {
 
 namespace
@@ -174,4 +174,4 @@ Components kuhn_components(const VoxelGrid& grid, const Mask& mask, std::uint8_t
     return result;
 }
 
-} // namespace corticle
+} // namespace corticle::imaging

@@ -3,7 +3,7 @@
 
 #include "corticle/imaging/voxel_grid.hpp"
 
-namespace corticle
+namespace corticle::imaging
 {
 
 // The voxel centres are the vertices of Kuhn's (Freudenthal's) triangulation: each cell between eight of them is cut
@@ -34,4 +34,4 @@ struct Components
 };
 Components kuhn_components(const VoxelGrid& grid, const Mask& mask, std::uint8_t value);
 
-} // namespace corticle
+} // namespace corticle::imaging

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace corticle
+namespace corticle::imaging
 {
 
 /// Voxel index -> scanner millimetres, RAS: x to the right, y anterior, z superior.
@@ -48,4 +48,4 @@ inline Vec3 voxel_edges(const VoxelFrame& frame)
     return {norm(frame.linear.column[0]), norm(frame.linear.column[1]), norm(frame.linear.column[2])};
 }
 
-} // namespace corticle
+} // namespace corticle::imaging

@@ -5,7 +5,7 @@
 #include <bit>
 #include <utility>
 
-namespace corticle
+namespace corticle::imaging
 {
 
 namespace
@@ -182,4 +182,4 @@ TriangleMesh marching_tetrahedra(const VoxelGrid& grid, std::span<const float> v
     return Extraction(grid, values, level, clearance).run();
 }
 
-} // namespace corticle
+} // namespace corticle::imaging

@@ -6,7 +6,7 @@
 
 #include <span>
 
-namespace corticle
+namespace corticle::imaging
 {
 
 /// The surface value = level of the values interpolated linearly in the tetrahedra of Kuhn's triangulation of the voxel
@@ -16,4 +16,4 @@ namespace corticle
 TriangleMesh marching_tetrahedra(const VoxelGrid& grid, std::span<const float> values, float level,
                                  double clearance = 0.0);
 
-} // namespace corticle
+} // namespace corticle::imaging

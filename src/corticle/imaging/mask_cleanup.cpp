@@ -12,7 +12,7 @@
 #include <set>
 #include <utility>
 
-namespace corticle
+namespace corticle::imaging
 {
 
 namespace
@@ -295,4 +295,4 @@ void fill_cavities(const VoxelGrid& grid, Mask& mask)
                    [](std::uint8_t voxel) { return static_cast<std::uint8_t>(voxel != 2); });
 }
 
-} // namespace corticle
+} // namespace corticle::imaging

@@ -6,7 +6,7 @@
 
 #include <span>
 
-namespace corticle
+namespace corticle::imaging
 {
 
 /// A mask and the grid it lives on.
@@ -45,4 +45,4 @@ void close_mask(const VoxelGrid& grid, double radius, Mask& mask);
 /// Fills background that no path through faces connects with the outermost layer.
 void fill_cavities(const VoxelGrid& grid, Mask& mask);
 
-} // namespace corticle
+} // namespace corticle::imaging

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-namespace corticle
+namespace corticle::imaging
 {
 
 std::vector<std::string> describe(const MaskReport& report)
@@ -31,4 +31,4 @@ std::vector<std::string> describe(const MaskReport& report)
     return lines;
 }
 
-} // namespace corticle
+} // namespace corticle::imaging

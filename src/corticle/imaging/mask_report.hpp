@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace corticle
+namespace corticle::imaging
 {
 
 /// What one step of the clean-up did to the mask.
@@ -46,4 +46,4 @@ struct MaskReport
 /// What was done, in words, one line for each step that changed something and one for the result.
 std::vector<std::string> describe(const MaskReport& report);
 
-} // namespace corticle
+} // namespace corticle::imaging

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-namespace corticle
+namespace corticle::imaging
 {
 
 /// Which part of the mask is taken.
@@ -35,4 +35,4 @@ struct MaskOptions
     Hemisphere hemisphere = Hemisphere::both;
 };
 
-} // namespace corticle
+} // namespace corticle::imaging

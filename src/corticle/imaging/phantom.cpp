@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace corticle
+namespace corticle::imaging
 {
 
 namespace
@@ -131,4 +131,4 @@ LabelVolume make_brain_phantom(const PhantomOptions& options)
     return image;
 }
 
-} // namespace corticle
+} // namespace corticle::imaging

@@ -3,7 +3,7 @@
 
 #include "corticle/imaging/label_volume.hpp"
 
-namespace corticle
+namespace corticle::imaging
 {
 
 /// Labels of the phantom, as tissue segmentations of fetal brains have them.
@@ -28,4 +28,4 @@ struct PhantomOptions
 /// @throws InputError for sizes that are not positive, or make more than 5 * 10^8 voxels.
 LabelVolume make_brain_phantom(const PhantomOptions& options);
 
-} // namespace corticle
+} // namespace corticle::imaging

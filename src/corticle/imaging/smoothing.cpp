@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace corticle
+namespace corticle::imaging
 {
 
 namespace
@@ -71,4 +71,4 @@ void smooth_gaussian(const VoxelGrid& grid, double sigma, std::vector<float>& va
                  });
 }
 
-} // namespace corticle
+} // namespace corticle::imaging

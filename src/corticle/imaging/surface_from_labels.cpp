@@ -17,7 +17,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace corticle
+namespace corticle::imaging
 {
 
 namespace
@@ -90,7 +90,7 @@ class SurfaceBuilder
         }
         if (options_.fill_cavities)
         {
-            change("cavities", [&] { corticle::fill_cavities(grid_, mask_); });
+            change("cavities", [&] { imaging::fill_cavities(grid_, mask_); });
         }
         values_.assign(mask_.begin(), mask_.end());
         if (!is_whole)
@@ -154,7 +154,7 @@ class SurfaceBuilder
         ImagedSurface result{marching_tetrahedra(grid_, values_, level_, clearance), {}};
         TriangleMesh smoothed = result.surface;
         smooth_taubin(smoothed, taubin_sweeps);
-        if (self_intersections(smoothed).empty())
+        if (geometry::self_intersections(smoothed).empty())
         {
             result.surface = std::move(smoothed);
         }
@@ -310,7 +310,7 @@ class SurfaceBuilder
 
     void measure(const TriangleMesh& surface)
     {
-        report_.extent_mm = bounding_box(surface.vertices).size();
+        report_.extent_mm = corticle::bounding_box(surface.vertices).size();
         report_.surface_volume_mm3 = enclosed_volume(surface.vertices, surface.triangles);
         report_.surface_area_mm2 = surface_area(surface.vertices, surface.triangles);
     }
@@ -337,4 +337,4 @@ ImagedSurface surface_from_labels(const LabelVolume& image, const MaskOptions& o
     return builder.extract();
 }
 
-} // namespace corticle
+} // namespace corticle::imaging

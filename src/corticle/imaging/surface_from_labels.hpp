@@ -6,7 +6,7 @@
 #include "corticle/imaging/options.hpp"
 #include "corticle/mesh/triangle_mesh.hpp"
 
-namespace corticle
+namespace corticle::imaging
 {
 
 struct ImagedSurface
@@ -23,4 +23,4 @@ struct ImagedSurface
 /// most of which a step would drop or that ends up empty, and a hemisphere asked of one hemisphere.
 ImagedSurface surface_from_labels(const LabelVolume& image, const MaskOptions& options);
 
-} // namespace corticle
+} // namespace corticle::imaging

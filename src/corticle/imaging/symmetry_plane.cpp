@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <numbers>
 
-namespace corticle
+namespace corticle::imaging
 {
 
 namespace
@@ -127,4 +127,4 @@ Plane midsagittal_plane(const VoxelGrid& grid, const Mask& mask)
     return symmetry.plane(best);
 }
 
-} // namespace corticle
+} // namespace corticle::imaging

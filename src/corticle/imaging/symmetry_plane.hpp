@@ -3,7 +3,7 @@
 
 #include "corticle/imaging/voxel_grid.hpp"
 
-namespace corticle
+namespace corticle::imaging
 {
 
 /// The points x with dot(normal, x) = offset, scanner frame [mm].
@@ -18,4 +18,4 @@ struct Plane
 /// points to the right.
 Plane midsagittal_plane(const VoxelGrid& grid, const Mask& mask);
 
-} // namespace corticle
+} // namespace corticle::imaging

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/imaging/taubin_smoothing.hpp"
 
-namespace corticle
+namespace corticle::imaging
 {
 
 namespace
@@ -43,4 +43,4 @@ void smooth_taubin(TriangleMesh& surface, int sweeps)
     }
 }
 
-} // namespace corticle
+} // namespace corticle::imaging

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace corticle
+namespace corticle::imaging
 {
 
 /// The box of voxels that a mask is worked on in. Its outermost layer is always background, so that the neighbours of
@@ -49,4 +49,4 @@ using Mask = std::vector<std::uint8_t>;
 /// Number of voxels inside.
 std::int64_t voxel_count(const Mask& mask);
 
-} // namespace corticle
+} // namespace corticle::imaging

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace corticle
+namespace corticle::material
 {
 
 namespace
@@ -98,4 +98,4 @@ double gestational_week(GestationalClock clock, double t)
     }
 }
 
-} // namespace corticle
+} // namespace corticle::material

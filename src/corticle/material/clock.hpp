@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-namespace corticle
+namespace corticle::material
 {
 
 /// How growth time t and gestational age in weeks go together.
@@ -33,4 +33,4 @@ double growth_time_rate(GestationalClock clock, double week);
 /// @throws InputError without a clock and for a t that the clock does not reach in its range
 double gestational_week(GestationalClock clock, double t);
 
-} // namespace corticle
+} // namespace corticle::material

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace corticle
+namespace corticle::material
 {
 
 /// How far growth has come at t: f of g = 1 + alpha theta m f(t) [-].
@@ -57,4 +57,4 @@ inline Vec3 current_normal(const Mat3& F, const Vec3& normal)
     return normalized(transpose(polar_rotation(F)) * (cofactor(F) * normal));
 }
 
-} // namespace corticle
+} // namespace corticle::material

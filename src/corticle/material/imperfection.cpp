@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace corticle
+namespace corticle::material
 {
 
 namespace
@@ -56,4 +56,4 @@ void apply_imperfection(const RandomWaves& waves, double amplitude, std::span<co
                  });
 }
 
-} // namespace corticle
+} // namespace corticle::material

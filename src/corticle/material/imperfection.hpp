@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace corticle
+namespace corticle::material
 {
 
 struct TissueFields;
@@ -46,4 +46,4 @@ class RandomWaves
 /// a column of cortex grows as one and every resolution and method gets the same field.
 void apply_imperfection(const RandomWaves& waves, double amplitude, std::span<const Vec3> places, TissueFields& tissue);
 
-} // namespace corticle
+} // namespace corticle::material

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <numeric>
 
-namespace corticle
+namespace corticle::material
 {
 
 double volume_inside(std::span<const double> inside, std::span<const double> volume)
@@ -38,4 +38,4 @@ std::vector<double> sharp_layer(std::span<const double> inside, std::span<const 
     return theta;
 }
 
-} // namespace corticle
+} // namespace corticle::material

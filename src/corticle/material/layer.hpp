@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace corticle
+namespace corticle::material
 {
 
 /// Share of cortex at a material depth below the surface, a smooth step (thesis eq. 11):
@@ -29,4 +29,4 @@ std::vector<double> sharp_layer(std::span<const double> inside, std::span<const 
 /// [mm³].
 double volume_inside(std::span<const double> inside, std::span<const double> volume);
 
-} // namespace corticle
+} // namespace corticle::material

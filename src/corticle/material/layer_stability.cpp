@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-namespace corticle
+namespace corticle::material
 {
 
 namespace
@@ -158,4 +158,4 @@ CriticalLayer critical_layer(const TissueOptions& options)
     return {unstable, unstable_wavelength(unstable, cortex, white)};
 }
 
-} // namespace corticle
+} // namespace corticle::material

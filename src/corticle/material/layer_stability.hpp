@@ -3,7 +3,7 @@
 
 #include "corticle/material/options.hpp"
 
-namespace corticle
+namespace corticle::material
 {
 
 /// When and how finely a flat cortex on deep white matter begins to fold.
@@ -18,4 +18,4 @@ struct CriticalLayer
 /// Depends on the moduli alone: growth along the normal changes the thickness and no stress.
 CriticalLayer critical_layer(const TissueOptions& options);
 
-} // namespace corticle
+} // namespace corticle::material

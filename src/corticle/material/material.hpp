@@ -6,7 +6,7 @@
 #include <concepts>
 #include <type_traits>
 
-namespace corticle
+namespace corticle::material
 {
 
 /// Energy density and first Piola-Kirchhoff stress of an elastic deformation.
@@ -79,4 +79,4 @@ CORTICLE_INLINE BasicMat3<Real> cauchy_stress(const BasicMat3<Real>& elastic_str
     return (ScalarOf<Real>(1.0) / determinant(F_e)) * (elastic_stress * transpose(F_e));
 }
 
-} // namespace corticle
+} // namespace corticle::material

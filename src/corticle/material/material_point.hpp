@@ -4,7 +4,7 @@
 #include "corticle/base/lanes.hpp"
 #include "corticle/material/options.hpp"
 
-namespace corticle
+namespace corticle::material
 {
 
 /// Moduli and growth of one material point at a time t.
@@ -50,4 +50,4 @@ CORTICLE_INLINE Real longitudinal_modulus(const BasicMaterialPoint<Real>& point)
     return point.bulk_modulus + ScalarOf<Real>(4.0 / 3.0) * point.shear_modulus;
 }
 
-} // namespace corticle
+} // namespace corticle::material

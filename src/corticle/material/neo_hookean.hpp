@@ -3,7 +3,7 @@
 
 #include "corticle/material/volumetric.hpp"
 
-namespace corticle
+namespace corticle::material
 {
 
 /// Compressible neo-Hookean solid (thesis eq. 18):
@@ -33,4 +33,4 @@ struct NeoHookean
 };
 static_assert(Material<NeoHookean> && Material<NeoHookean, float>);
 
-} // namespace corticle
+} // namespace corticle::material

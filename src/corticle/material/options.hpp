@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-namespace corticle
+namespace corticle::material
 {
 
 enum class Layer
@@ -60,4 +60,4 @@ struct TissueOptions
     double barrier_J = 0.3; ///< elastic volume ratio below which the barrier acts; 0: none
 };
 
-} // namespace corticle
+} // namespace corticle::material

@@ -11,7 +11,7 @@
 //
 // `plain` tells the compiler that growth is that of Tissue::grows_plainly: g_r = 1, and the moduli do not change.
 
-namespace corticle
+namespace corticle::material
 {
 
 /// g_r
@@ -135,4 +135,4 @@ CORTICLE_INLINE BasicResponse<Real> respond(const Law& law, const BasicMaterialP
             J_g * (elastic.stress * e.inverse_G)};
 }
 
-} // namespace corticle
+} // namespace corticle::material

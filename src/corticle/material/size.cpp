@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/material/size.hpp"
 
-namespace corticle
+namespace corticle::material
 {
 
 double brain_length(LengthLaw law, GestationalClock clock, double week)
@@ -33,4 +33,4 @@ double ReferenceSize::scale_rate(double t) const
     return lengthening / brain_length(law, clock, start_week);
 }
 
-} // namespace corticle
+} // namespace corticle::material

@@ -3,7 +3,7 @@
 
 #include "corticle/material/clock.hpp"
 
-namespace corticle
+namespace corticle::material
 {
 
 /// Longitudinal length L of a brain at its gestational age.
@@ -47,4 +47,4 @@ struct ReferenceSize
     double scale_rate(double t) const;
 };
 
-} // namespace corticle
+} // namespace corticle::material

@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace corticle
+namespace corticle::material
 {
 
 namespace
@@ -33,4 +33,4 @@ void apply_thickness_preset(TissueOptions& tissue)
     }
 }
 
-} // namespace corticle
+} // namespace corticle::material

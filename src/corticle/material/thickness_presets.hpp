@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-namespace corticle
+namespace corticle::material
 {
 
 /// A thickness H(t) = H_i + beta t that goes by a name.
@@ -25,4 +25,4 @@ std::span<const PresetThickness> thickness_presets();
 /// Gives thickness_mm and thickness_rate_mm the numbers of the preset; "none" leaves them.
 void apply_thickness_preset(TissueOptions& tissue);
 
-} // namespace corticle
+} // namespace corticle::material

@@ -4,7 +4,7 @@
 #include "corticle/base/parallel.hpp"
 #include "corticle/material/layer.hpp"
 
-namespace corticle
+namespace corticle::material
 {
 
 bool layer_moves(const TissueFields& fields, const TissueOptions& options, const ReferenceSize& size)
@@ -79,4 +79,4 @@ double wave_speed(const TissueOptions& options)
     return std::sqrt(longitudinal_modulus(material_point(options, 0.0, 1.0, 0.0)));
 }
 
-} // namespace corticle
+} // namespace corticle::material

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace corticle
+namespace corticle::material
 {
 
 /// Growth that the body as imaged has behind it.
@@ -112,4 +112,4 @@ struct Tissue
 /// Pressure-wave speed of the white matter at density 1: sqrt(K + 4 mu / 3).
 double wave_speed(const TissueOptions& options);
 
-} // namespace corticle
+} // namespace corticle::material

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace corticle
+namespace corticle::material
 {
 
 /// K/2 (J_e - 1)², and below J_e = barrier_J also K/2 ln²(J_e / barrier_J). The first term stays finite as J_e -> 0, so
@@ -34,4 +34,4 @@ CORTICLE_INLINE VolumetricResponse<Real> volumetric_response(Real bulk_modulus, 
     return {energy, pressure};
 }
 
-} // namespace corticle
+} // namespace corticle::material

@@ -4,7 +4,7 @@
 #include "corticle/base/wide_group.hpp"
 #include "corticle/material/tissue.hpp"
 
-namespace corticle
+namespace corticle::material
 {
 
 /// Moduli and growth of up to eight material points, and the normals they grow across.
@@ -54,4 +54,4 @@ CORTICLE_INLINE WideTissue any_tissue(const Tissue& tissue, double t, const Wide
     return result;
 }
 
-} // namespace corticle
+} // namespace corticle::material

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace corticle
+namespace corticle::mechanics
 {
 
 void join(InternalResponse& total, const InternalResponse& part)
@@ -34,4 +34,4 @@ std::string describe_point(const Vec3& x, const Vec3& X, double depth, const Mat
                        F(1, 2), F(2, 0), F(2, 1), F(2, 2));
 }
 
-} // namespace corticle
+} // namespace corticle::mechanics

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace corticle
+namespace corticle::mechanics
 {
 
 /// What one evaluation of the internal forces tells about the whole body. A material point is a particle or an element,
@@ -75,4 +75,4 @@ class Discretization
     virtual std::string diagnosis(std::int64_t node, std::span<const Vec3> x) const = 0;
 };
 
-} // namespace corticle
+} // namespace corticle::mechanics

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace corticle
+namespace corticle::mechanics
 {
 
 /// Variables that a term carries from step to step, by name ("relaxation.strain"): a checkpoint holds them.
@@ -92,7 +92,8 @@ class ForceTerm
 
     /// Shortens the way of nodes in a step of length dt that is about to be tried, positions and velocities alike.
     /// @param longest  way of a node in this step [mm]
-    virtual TravelTaken limit_travel(const Motion& /*from*/, double /*dt*/, double /*longest*/, Motion& /*to*/)
+    virtual TravelTaken limit_travel(const dynamics::Motion& /*from*/, double /*dt*/, double /*longest*/,
+                                     dynamics::Motion& /*to*/)
     {
         return {};
     }
@@ -107,4 +108,4 @@ class ForceTerm
     virtual std::string cause_of_short_step(std::span<const Vec3> /*x*/) const { return std::string(name()); }
 };
 
-} // namespace corticle
+} // namespace corticle::mechanics

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/mechanics/tissue_term.hpp"
 
-namespace corticle
+namespace corticle::mechanics
 {
 
 Contribution TissueTerm::add(const StepContext& context, std::span<Vec3> forces)
@@ -16,7 +16,7 @@ Contribution TissueTerm::add(const StepContext& context, std::span<Vec3> forces)
             .growth_power = response.growth_power,
             .viscous_power = method_->add_viscous_forces(context.x, context.v, forces),
             .stable_step =
-                time_step_ > 0.0 ? time_step_ : critical_step(context.cfl, spacing_, response.stiffest_rate)};
+                time_step_ > 0.0 ? time_step_ : dynamics::critical_step(context.cfl, spacing_, response.stiffest_rate)};
 }
 
 std::vector<NamedEnergy> TissueTerm::energies() const
@@ -30,4 +30,4 @@ std::string TissueTerm::cause_of_short_step(std::span<const Vec3> x) const
            method_->diagnosis(method_->node_of(std::max<std::int64_t>(response_.smallest_J_at, 0)), x);
 }
 
-} // namespace corticle
+} // namespace corticle::mechanics

@@ -6,7 +6,7 @@
 
 #include <memory>
 
-namespace corticle
+namespace corticle::mechanics
 {
 
 /// The forces of the tissue itself, by whatever method cuts the body up.
@@ -40,4 +40,4 @@ class TissueTerm final : public ForceTerm
     InternalResponse response_;
 };
 
-} // namespace corticle
+} // namespace corticle::mechanics

@@ -4,7 +4,7 @@
 #include "corticle/base/box.hpp"
 #include "corticle/base/parallel.hpp"
 
-namespace corticle
+namespace corticle::metrics
 {
 
 namespace
@@ -93,4 +93,4 @@ Asymmetry asymmetry(std::span<const Vec3> vertices, std::span<const Triangle> tr
     return {index(halves.left.area, halves.right.area), index(halves.left.volume, halves.right.volume)};
 }
 
-} // namespace corticle
+} // namespace corticle::metrics

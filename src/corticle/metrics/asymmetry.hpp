@@ -3,7 +3,7 @@
 
 #include "corticle/mesh/triangle_mesh.hpp"
 
-namespace corticle
+namespace corticle::metrics
 {
 
 /// A plane through a point, across a direction.
@@ -27,4 +27,4 @@ struct Asymmetry
 /// Of a closed surface. Triangles that the plane cuts are cut exactly.
 Asymmetry asymmetry(std::span<const Vec3> vertices, std::span<const Triangle> triangles, const Plane& plane);
 
-} // namespace corticle
+} // namespace corticle::metrics

@@ -10,7 +10,7 @@
 #include <limits>
 #include <numeric>
 
-namespace corticle
+namespace corticle::metrics
 {
 
 namespace
@@ -178,7 +178,8 @@ struct WeightedDistance
 };
 
 /// Of each vertex of `from` to the surface.
-void append_distances(const SurfaceView& from, const SurfaceTree& surface, std::vector<WeightedDistance>& distances)
+void append_distances(const SurfaceView& from, const geometry::SurfaceTree& surface,
+                      std::vector<WeightedDistance>& distances)
 {
     const std::vector<double> areas = vertex_areas(from.vertices, from.triangles);
     const std::size_t first = distances.size();
@@ -261,8 +262,8 @@ FieldDifference mean_difference(const PointField& a, const PointField& b)
 SurfaceDistance surface_distance(const SurfaceView& a, const SurfaceView& b)
 {
     std::vector<WeightedDistance> distances;
-    append_distances(a, SurfaceTree(b.vertices, b.triangles), distances);
-    append_distances(b, SurfaceTree(a.vertices, a.triangles), distances);
+    append_distances(a, geometry::SurfaceTree(b.vertices, b.triangles), distances);
+    append_distances(b, geometry::SurfaceTree(a.vertices, a.triangles), distances);
     std::stable_sort(distances.begin(), distances.end(),
                      [](const WeightedDistance& p, const WeightedDistance& q) { return p.distance < q.distance; });
     double area = 0.0;
@@ -287,4 +288,4 @@ SurfaceDistance surface_distance(const SurfaceView& a, const SurfaceView& b)
     return result;
 }
 
-} // namespace corticle
+} // namespace corticle::metrics

@@ -5,7 +5,7 @@
 
 #include <string_view>
 
-namespace corticle
+namespace corticle::metrics
 {
 
 /// 100 (b - a) / |a| [%]; 0 where both are equal, NaN where only a is 0 or one of them is not finite.
@@ -70,4 +70,4 @@ struct SurfaceDistance
 /// Distances between two surfaces that are not empty; exchanging a and b changes nothing but round-off.
 SurfaceDistance surface_distance(const SurfaceView& a, const SurfaceView& b);
 
-} // namespace corticle
+} // namespace corticle::metrics

@@ -7,7 +7,7 @@
 
 #include <limits>
 
-namespace corticle
+namespace corticle::metrics
 {
 
 namespace
@@ -67,8 +67,8 @@ std::vector<Vec3> carried_points(const CarriedCloud& cloud, std::span<const Vec3
 std::vector<double> cortical_thickness(std::span<const Vec3> outer, std::span<const Vec3> inner,
                                        std::span<const Triangle> triangles)
 {
-    const SurfaceTree outer_tree(outer, triangles);
-    const SurfaceTree inner_tree(inner, triangles);
+    const geometry::SurfaceTree outer_tree(outer, triangles);
+    const geometry::SurfaceTree inner_tree(inner, triangles);
     std::vector<double> thickness(outer.size());
     parallel_for(std::ssize(outer),
                  [&](std::int64_t v)
@@ -79,4 +79,4 @@ std::vector<double> cortical_thickness(std::span<const Vec3> outer, std::span<co
     return thickness;
 }
 
-} // namespace corticle
+} // namespace corticle::metrics

@@ -4,7 +4,7 @@
 #include "corticle/base/mat3.hpp"
 #include "corticle/mesh/triangle_mesh.hpp"
 
-namespace corticle
+namespace corticle::metrics
 {
 
 /// Particles of a body in the reference and the current configuration.
@@ -27,4 +27,4 @@ std::vector<Vec3> carried_points(const CarriedCloud& cloud, std::span<const Vec3
 std::vector<double> cortical_thickness(std::span<const Vec3> outer, std::span<const Vec3> inner,
                                        std::span<const Triangle> triangles);
 
-} // namespace corticle
+} // namespace corticle::metrics

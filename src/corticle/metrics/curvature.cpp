@@ -8,7 +8,7 @@
 
 #include <numbers>
 
-namespace corticle
+namespace corticle::metrics
 {
 
 namespace
@@ -132,4 +132,4 @@ Curvature vertex_curvature(std::span<const Vec3> vertices, std::span<const Trian
     return curvature;
 }
 
-} // namespace corticle
+} // namespace corticle::metrics

@@ -3,7 +3,7 @@
 
 #include "corticle/mesh/triangle_mesh.hpp"
 
-namespace corticle
+namespace corticle::metrics
 {
 
 /// Curvature at the vertices of a surface. Positive where the surface bulges outward: a sphere of radius R has mean
@@ -22,4 +22,4 @@ struct Curvature
 /// Geometric Design 22).
 Curvature vertex_curvature(std::span<const Vec3> vertices, std::span<const Triangle> triangles);
 
-} // namespace corticle
+} // namespace corticle::metrics

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace corticle
+namespace corticle::metrics
 {
 
 namespace
@@ -62,7 +62,7 @@ EquilibriumMeasures equilibrium_measures(const EnergyBalance& energies, double v
     return m;
 }
 
-double residual_force(const Simulation& simulation, std::span<const Mat3> F)
+double residual_force(const model::Simulation& simulation, std::span<const Mat3> F)
 {
     struct Sums
     {
@@ -80,7 +80,7 @@ double residual_force(const Simulation& simulation, std::span<const Mat3> F)
                 part.volume += volumes[i];
                 if (determinant(F[i]) > 0.0) // the mean over inverted tets may be singular or inverted
                 {
-                    const Mat3 P = cauchy_stress_at(simulation, i, F[i]) * cofactor(F[i]);
+                    const Mat3 P = model::cauchy_stress_at(simulation, i, F[i]) * cofactor(F[i]);
                     part.stress += volumes[i] * frobenius(P);
                 }
             }
@@ -95,4 +95,4 @@ double residual_force(const Simulation& simulation, std::span<const Mat3> F)
     return ratio(radius * force_of_patches(simulation.state().motion.force), sums.stress, least_stress * sums.volume);
 }
 
-} // namespace corticle
+} // namespace corticle::metrics

@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-namespace corticle
+namespace corticle::metrics
 {
 
 /// How near to equilibrium a run is and how well its energies add up. Energies that are zero within rounding, as at
@@ -38,6 +38,6 @@ EquilibriumMeasures equilibrium_measures(const EnergyBalance& energies, double v
 /// contact, without drag) on the nodes of one of 512 patches, V_i and P_i the volume and the first Piola-Kirchhoff
 /// stress of node i, and R the radius of the sphere of the body's volume. 0 in equilibrium, about 1 where inertia or
 /// drag carries the load instead of the tissue, whatever the resolution. 0 where the stress is only rounding.
-double residual_force(const Simulation& simulation, std::span<const Mat3> F);
+double residual_force(const model::Simulation& simulation, std::span<const Mat3> F);
 
-} // namespace corticle
+} // namespace corticle::metrics

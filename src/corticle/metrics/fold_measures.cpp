@@ -12,7 +12,7 @@
 #include <array>
 #include <numbers>
 
-namespace corticle
+namespace corticle::metrics
 {
 
 namespace
@@ -47,10 +47,10 @@ TriangleMesh outer_surface(std::span<const Vec3> vertices, std::span<const Trian
 {
     if (options.outer == OuterSurface::hull)
     {
-        return convex_hull(vertices);
+        return geometry::convex_hull(vertices);
     }
-    return closed_around({{vertices.begin(), vertices.end()}, {triangles.begin(), triangles.end()}},
-                         options.adult_closing_mm * scale_of(vertices, triangles));
+    return geometry::closed_around({{vertices.begin(), vertices.end()}, {triangles.begin(), triangles.end()}},
+                                   options.adult_closing_mm * scale_of(vertices, triangles));
 }
 
 double curvature_wavelength(std::span<const Vec3> vertices, std::span<const Triangle> triangles,
@@ -73,7 +73,7 @@ double curvature_wavelength(std::span<const Vec3> vertices, std::span<const Tria
 FoldFields fold_fields(std::span<const Vec3> vertices, std::span<const Triangle> triangles, const FoldOptions& options)
 {
     const TriangleMesh around = outer_surface(vertices, triangles, options);
-    const SurfaceTree outer(around.vertices, around.triangles);
+    const geometry::SurfaceTree outer(around.vertices, around.triangles);
     const double least_ball = least_ball_share * std::sqrt(surface_area(around.vertices, around.triangles));
     const double ball = std::max(least_ball, options.adult_ball_mm * scale_of(vertices, triangles));
     return {vertex_curvature(vertices, triangles), sulcal_depth(vertices, triangles, outer),
@@ -105,4 +105,4 @@ FoldMeasures measure_folds(std::span<const Vec3> vertices, std::span<const Trian
     return m;
 }
 
-} // namespace corticle
+} // namespace corticle::metrics

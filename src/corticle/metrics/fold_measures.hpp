@@ -8,7 +8,7 @@
 #include <optional>
 #include <string_view>
 
-namespace corticle
+namespace corticle::metrics
 {
 
 /// What sulcal depth and local gyrification are measured against.
@@ -61,4 +61,4 @@ struct FoldMeasures
 FoldMeasures measure_folds(std::span<const Vec3> vertices, std::span<const Triangle> triangles,
                            const FoldFields& fields, const FoldOptions& options = {});
 
-} // namespace corticle
+} // namespace corticle::metrics

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace corticle
+namespace corticle::metrics
 {
 
 namespace
@@ -140,7 +140,7 @@ std::vector<double> interpolated(std::span<const Vec3> places, std::span<const d
 } // namespace
 
 std::vector<double> local_gyrification(std::span<const Vec3> vertices, std::span<const Triangle> triangles,
-                                       const SurfaceTree& outer, double radius)
+                                       const geometry::SurfaceTree& outer, double radius)
 {
     const TriangleMesh& envelope = outer.mesh();
     const double least = 0.01 * std::sqrt(surface_area(envelope.vertices, envelope.triangles));
@@ -168,4 +168,4 @@ std::vector<double> local_gyrification(std::span<const Vec3> vertices, std::span
     return interpolated(places, index, on_surface.place, apart);
 }
 
-} // namespace corticle
+} // namespace corticle::metrics

@@ -3,7 +3,7 @@
 
 #include "corticle/geometry/surface_tree.hpp"
 
-namespace corticle
+namespace corticle::metrics
 {
 
 /// Local gyrification index of each vertex [-]: area of the part of the surface whose closest point of the outer
@@ -14,6 +14,6 @@ namespace corticle
 /// @param radius  of the ball [mm]; Schaer takes 25 for adult brains
 /// @throws InputError when the radius is not positive
 std::vector<double> local_gyrification(std::span<const Vec3> vertices, std::span<const Triangle> triangles,
-                                       const SurfaceTree& outer, double radius);
+                                       const geometry::SurfaceTree& outer, double radius);
 
-} // namespace corticle
+} // namespace corticle::metrics

@@ -6,7 +6,7 @@
 #include <array>
 #include <limits>
 
-namespace corticle
+namespace corticle::metrics
 {
 
 namespace
@@ -115,7 +115,7 @@ constexpr std::array fold_table{
 struct Table
 {
     std::vector<MeasureColumn> columns;
-    std::vector<double (*)(const OutputView& view)> added;
+    std::vector<double (*)(const model::OutputView& view)> added;
 
     Table()
     {
@@ -169,14 +169,14 @@ double& MeasureColumn::in(Measures& row) const
 }
 
 void add_measure(std::string_view key, std::string_view unit, std::string_view sentence,
-                 double (*value)(const OutputView& view))
+                 double (*value)(const model::OutputView& view))
 {
     Table& all = table();
     all.columns.emplace_back(key, unit, sentence, all.added.size());
     all.added.push_back(value);
 }
 
-std::vector<double> added_measures(const OutputView& view)
+std::vector<double> added_measures(const model::OutputView& view)
 {
     std::vector<double> values;
     for (const auto value : table().added)
@@ -196,4 +196,4 @@ std::string measures_markdown()
     return text;
 }
 
-} // namespace corticle
+} // namespace corticle::metrics

@@ -9,7 +9,7 @@
 // The one table of measures: columns of measures.csv, keys of summary.json and of `corticle measure`, and the reference
 // of the guide (`corticle schema --measures`) follow from it.
 
-namespace corticle
+namespace corticle::metrics
 {
 
 /// A measure as files name it.
@@ -61,12 +61,12 @@ std::span<const MeasureColumn> measure_columns();
 /// Adds a measure of runs to the table, behind all others; before the first run of the process. The texts must stay.
 /// @param value  of a run at an output time, in the unit
 void add_measure(std::string_view key, std::string_view unit, std::string_view sentence,
-                 double (*value)(const OutputView& view));
+                 double (*value)(const model::OutputView& view));
 
 /// Values of the added measures.
-std::vector<double> added_measures(const OutputView& view);
+std::vector<double> added_measures(const model::OutputView& view);
 
 /// The table as Markdown: key, unit, sentence.
 std::string measures_markdown();
 
-} // namespace corticle
+} // namespace corticle::metrics

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace corticle
+namespace corticle::metrics
 {
 
 namespace
@@ -37,7 +37,7 @@ double area_mean(std::span<const double> values, std::span<const double> areas)
 }
 
 /// det F over the nodes.
-void set_volume_ratios(const Model& model, std::span<const Mat3> F, Measures& m)
+void set_volume_ratios(const model::Model& model, std::span<const Mat3> F, Measures& m)
 {
     m.J_min = determinant(F[0]);
     m.J_max = m.J_min;
@@ -54,15 +54,15 @@ void set_volume_ratios(const Model& model, std::span<const Mat3> F, Measures& m)
     m.J_mean = weighted / volume;
 }
 
-double reference_volume(const Model& model)
+double reference_volume(const model::Model& model)
 {
     return std::accumulate(model.cloud.volumes.begin(), model.cloud.volumes.end(), 0.0);
 }
 
-void set_energies(const Simulation& simulation, std::span<const Mat3> F, Measures& m)
+void set_energies(const model::Simulation& simulation, std::span<const Mat3> F, Measures& m)
 {
-    const State& state = simulation.state();
-    const InternalResponse& internal = simulation.internal();
+    const model::State& state = simulation.state();
+    const mechanics::InternalResponse& internal = simulation.internal();
     m.energy_elastic = internal.elastic_energy;
     m.energy_kinetic = state.kinetic_energy;
     m.energy_zero_mode = internal.zero_mode_energy;
@@ -82,12 +82,12 @@ void set_energies(const Simulation& simulation, std::span<const Mat3> F, Measure
 
 } // namespace
 
-Measures measure(const OutputView& view, const SurfaceArrays& arrays)
+Measures measure(const model::OutputView& view, const SurfaceArrays& arrays)
 {
-    const Simulation& simulation = view.simulation;
-    const Model& model = view.model();
-    const State& state = view.state();
-    const PhysicalScale& scale = view.scale;
+    const model::Simulation& simulation = view.simulation;
+    const model::Model& model = view.model();
+    const model::State& state = view.state();
+    const model::PhysicalScale& scale = view.scale;
     const std::vector<Vec3>& x = view.surface;
     const SurfaceMeasures now = measure_surface(x, model.cloud.surface_triangles);
     const double area_0 = surface_area(model.surface.vertices, model.surface.triangles);
@@ -119,7 +119,7 @@ Measures measure(const OutputView& view, const SurfaceArrays& arrays)
     m.inverted_elements = static_cast<double>(simulation.internal().inverted_count);
     m.contact_pairs = static_cast<double>(simulation.contact().active);
     m.intersecting_triangles =
-        static_cast<double>(intersecting_triangles({view.as_folded, model.cloud.surface_triangles}));
+        static_cast<double>(geometry::intersecting_triangles({view.as_folded, model.cloud.surface_triangles}));
     m.contact_limited_share =
         static_cast<double>(state.travel_taken.vertex_steps) /
         (static_cast<double>(std::max<std::int64_t>(state.steps, 1)) * static_cast<double>(x.size()));
@@ -174,4 +174,4 @@ std::vector<Measures> parse_measures_csv(std::string_view text, const std::strin
     return rows;
 }
 
-} // namespace corticle
+} // namespace corticle::metrics

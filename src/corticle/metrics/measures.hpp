@@ -9,7 +9,7 @@
 #include <span>
 #include <string_view>
 
-namespace corticle
+namespace corticle::metrics
 {
 
 /// Measures of a run at one output time: a row of measures.csv. Lengths, areas and volumes are in mm at the week, but
@@ -50,7 +50,7 @@ struct Measures : SurfaceMeasures, FoldMeasures, EquilibriumMeasures
 };
 
 /// @param arrays  those of the same view
-Measures measure(const OutputView& view, const SurfaceArrays& arrays);
+Measures measure(const model::OutputView& view, const SurfaceArrays& arrays);
 
 /// measures.csv of the rows: header with units, one line each, 17 significant digits.
 std::string measures_csv(std::span<const Measures> rows);
@@ -58,4 +58,4 @@ std::string measures_csv(std::span<const Measures> rows);
 /// Reads measures.csv back. @throws InputError when it is not one of ours
 std::vector<Measures> parse_measures_csv(std::string_view text, const std::string& name);
 
-} // namespace corticle
+} // namespace corticle::metrics

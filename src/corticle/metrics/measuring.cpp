@@ -3,14 +3,14 @@
 
 #include "corticle/base/stopwatch.hpp"
 
-namespace corticle
+namespace corticle::metrics
 {
 
-void Measuring::on_output(const OutputView& view)
+void Measuring::on_output(const model::OutputView& view)
 {
     const Stopwatch watch(seconds_);
     arrays_ = surface_arrays(view);
     rows_.push_back(measure(view, arrays_));
 }
 
-} // namespace corticle
+} // namespace corticle::metrics

@@ -4,17 +4,17 @@
 #include "corticle/metrics/measures.hpp"
 #include "corticle/model/observer.hpp"
 
-namespace corticle
+namespace corticle::metrics
 {
 
 /// Measures a run at its output times. Comes before the observers that write or draw what it finds.
-class Measuring final : public Observer
+class Measuring final : public model::Observer
 {
   public:
     /// @param earlier  rows of an earlier session of the run
     explicit Measuring(std::vector<Measures> earlier = {}) : rows_(std::move(earlier)) {}
 
-    void on_output(const OutputView& view) override;
+    void on_output(const model::OutputView& view) override;
 
     /// One row for every output so far.
     const std::vector<Measures>& rows() const { return rows_; }
@@ -29,4 +29,4 @@ class Measuring final : public Observer
     double seconds_ = 0.0;
 };
 
-} // namespace corticle
+} // namespace corticle::metrics

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace corticle
+namespace corticle::metrics
 {
 
 namespace
@@ -233,4 +233,4 @@ double dominant_wavelength(std::span<const SpectralLine> spectrum, const FoldBan
     return densest > 0.0 ? std::exp(centre) : 0.0;
 }
 
-} // namespace corticle
+} // namespace corticle::metrics

@@ -3,7 +3,7 @@
 
 #include "corticle/mesh/triangle_mesh.hpp"
 
-namespace corticle
+namespace corticle::metrics
 {
 
 /// Part of the mean square of a function on a surface.
@@ -41,4 +41,4 @@ FoldBand fold_band(std::span<const Vec3> vertices, std::span<const Triangle> tri
 /// wavelength, within a band [mm]; 0 where the band holds no power. Waves of height u have H = u k² / 2.
 double dominant_wavelength(std::span<const SpectralLine> spectrum, const FoldBand& band);
 
-} // namespace corticle
+} // namespace corticle::metrics

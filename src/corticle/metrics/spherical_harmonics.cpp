@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <numbers>
 
-namespace corticle
+namespace corticle::metrics
 {
 
 namespace
@@ -108,4 +108,4 @@ int dominant_degree(std::span<const double> power)
     return degree;
 }
 
-} // namespace corticle
+} // namespace corticle::metrics

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace corticle
+namespace corticle::metrics
 {
 
 /// Power of a function on the sphere by degree l = 0 … largest_degree: the mean square of its part of that degree, in
@@ -20,4 +20,4 @@ std::vector<double> power_by_degree(std::span<const Vec3> directions, std::span<
 /// Degree with the most power, 0 left out; 0 where there is none.
 int dominant_degree(std::span<const double> power);
 
-} // namespace corticle
+} // namespace corticle::metrics

@@ -8,7 +8,7 @@
 #include <limits>
 #include <queue>
 
-namespace corticle
+namespace corticle::metrics
 {
 
 namespace
@@ -61,7 +61,8 @@ double front_arrival(const Vec3& a, const Vec3& b, const Vec3& c, double T_a, do
 }
 
 /// Is the straight way from just off a vertex to just before a point free of the surface?
-bool sees(const SurfaceTree& surface, const Vec3& vertex, const Vec3& normal, const Vec3& goal, double clearance)
+bool sees(const geometry::SurfaceTree& surface, const Vec3& vertex, const Vec3& normal, const Vec3& goal,
+          double clearance)
 {
     const Vec3 start = vertex + clearance * normal;
     const Vec3 way = goal - start;
@@ -120,9 +121,9 @@ std::vector<double> marched_distance(std::span<const Vec3> vertices, std::span<c
 }
 
 std::vector<double> sulcal_depth(std::span<const Vec3> vertices, std::span<const Triangle> triangles,
-                                 const SurfaceTree& outer)
+                                 const geometry::SurfaceTree& outer)
 {
-    const SurfaceTree surface(vertices, triangles);
+    const geometry::SurfaceTree surface(vertices, triangles);
     const std::vector<Vec3> normals = vertex_normals(vertices, triangles);
     const double clearance = clearance_per_edge * mean_edge(vertices, triangles);
     std::vector<double> straight(vertices.size());
@@ -130,7 +131,7 @@ std::vector<double> sulcal_depth(std::span<const Vec3> vertices, std::span<const
     parallel_for(std::ssize(vertices),
                  [&](std::int64_t v)
                  {
-                     const SurfacePoint nearest = outer.closest(vertices[v]);
+                     const geometry::SurfacePoint nearest = outer.closest(vertices[v]);
                      straight[v] = std::max(0.0, -outer.signed_distance(vertices[v], nearest));
                      const bool free = straight[v] <= clearance ||
                                        sees(surface, vertices[v], normals[v], nearest.position, clearance);
@@ -144,4 +145,4 @@ std::vector<double> sulcal_depth(std::span<const Vec3> vertices, std::span<const
     return depth;
 }
 
-} // namespace corticle
+} // namespace corticle::metrics

@@ -3,7 +3,7 @@
 
 #include "corticle/geometry/surface_tree.hpp"
 
-namespace corticle
+namespace corticle::metrics
 {
 
 /// Depth of each vertex below an outer surface, along the outside of the body [mm]: the shortest way from the outer
@@ -17,7 +17,7 @@ namespace corticle
 ///
 /// @param outer  for instance the convex hull, or a closed surface around the gyri
 std::vector<double> sulcal_depth(std::span<const Vec3> vertices, std::span<const Triangle> triangles,
-                                 const SurfaceTree& outer);
+                                 const geometry::SurfaceTree& outer);
 
 /// Shortest way along the surface from the seeds [mm], first order (fast marching on triangles; Kimmel & Sethian 1998).
 /// @param start  known distance of the seeds [mm]; infinite for the other vertices, and in the result where no seed is
@@ -25,4 +25,4 @@ std::vector<double> sulcal_depth(std::span<const Vec3> vertices, std::span<const
 std::vector<double> marched_distance(std::span<const Vec3> vertices, std::span<const Triangle> triangles,
                                      std::vector<double> start);
 
-} // namespace corticle
+} // namespace corticle::metrics

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace corticle
+namespace corticle::metrics
 {
 
 namespace
@@ -88,4 +88,4 @@ DepthExtrema depth_extrema(std::span<const double> sulcal_depth, std::span<const
     return {prominent_maxima(sulcal_depth, triangles, ridge_height), prominent_maxima(height, triangles, ridge_height)};
 }
 
-} // namespace corticle
+} // namespace corticle::metrics

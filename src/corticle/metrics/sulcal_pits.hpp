@@ -3,7 +3,7 @@
 
 #include "corticle/mesh/triangle_mesh.hpp"
 
-namespace corticle
+namespace corticle::metrics
 {
 
 /// Vertices that are maxima of a function on a surface and stand out by at least `prominence`, highest first.
@@ -30,4 +30,4 @@ struct DepthExtrema
 DepthExtrema depth_extrema(std::span<const double> sulcal_depth, std::span<const Triangle> triangles,
                            double ridge_height);
 
-} // namespace corticle
+} // namespace corticle::metrics

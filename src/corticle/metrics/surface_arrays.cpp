@@ -5,7 +5,7 @@
 #include "corticle/metrics/spectrum.hpp"
 #include "corticle/metrics/spherical_harmonics.hpp"
 
-namespace corticle
+namespace corticle::metrics
 {
 
 namespace
@@ -17,20 +17,20 @@ constexpr double least_wave_per_spacing = 0.01; ///< amplitude below which a sur
 
 /// Where theta is 1/2 below each surface vertex, in the reference configuration [mm]: at the depth H(t)/s(t) along the
 /// normal, or on the similar ellipsoid of eq. 24.
-std::vector<Vec3> cortex_boundary(const Simulation& simulation)
+std::vector<Vec3> cortex_boundary(const model::Simulation& simulation)
 {
-    const Model& model = simulation.model();
-    const TissueOptions& tissue = simulation.options().tissue;
+    const model::Model& model = simulation.model();
+    const material::TissueOptions& tissue = simulation.options().tissue;
     const double t = simulation.state().t;
     const bool similar = !model.tissue.given_theta.empty();
-    const double scale = cortex_size(simulation.options()).scale(t);
+    const double scale = model::cortex_size(simulation.options()).scale(t);
     std::vector<Vec3> boundary;
     boundary.reserve(model.surface.vertices.size());
     for (std::size_t v = 0; v < model.surface.vertices.size(); ++v)
     {
         const Vec3 X = model.surface.vertices[v];
         const auto particle = static_cast<std::size_t>(model.cloud.surface_particles[v]);
-        const double thickness = thickness_at(model.tissue, tissue, particle, t) / scale;
+        const double thickness = material::thickness_at(model.tissue, tissue, particle, t) / scale;
         boundary.push_back(similar ? std::sqrt(tissue.lambda) * X : X - thickness * model.tissue.normal[particle]);
     }
     return boundary;
@@ -78,26 +78,26 @@ int dominant_degree_of(std::span<const Vec3> X, std::span<const Vec3> x, std::sp
 
 } // namespace
 
-FoldOptions fold_options(const OutputView& view)
+FoldOptions fold_options(const model::OutputView& view)
 {
     FoldOptions options;
-    options.midplane = mid_sagittal_plane(scaled(view.model().surface.vertices, view.scale.length));
+    options.midplane = mid_sagittal_plane(model::scaled(view.model().surface.vertices, view.scale.length));
     return options;
 }
 
-SurfaceArrays surface_arrays(const OutputView& view)
+SurfaceArrays surface_arrays(const model::OutputView& view)
 {
     const Cloud& cloud = view.model().cloud;
     const CarriedCloud carried{cloud.positions, view.state().motion.x, view.F, cloud.spacing};
     const std::vector<Vec3> inner =
-        scaled(carried_points(carried, cortex_boundary(view.simulation)), view.scale.length);
+        model::scaled(carried_points(carried, cortex_boundary(view.simulation)), view.scale.length);
     return {fold_fields(view.surface, view.triangles(), fold_options(view)),
             cortical_thickness(view.surface, inner, view.triangles())};
 }
 
-ReferenceFolds reference_folds(const OutputView& view)
+ReferenceFolds reference_folds(const model::OutputView& view)
 {
-    const Model& model = view.model();
+    const model::Model& model = view.model();
     const std::vector<Vec3>& X = model.surface.vertices;
     const std::vector<Vec3>& x = view.as_folded;
     const std::vector<Vec3> normals = vertex_normals(X, model.surface.triangles);
@@ -117,4 +117,4 @@ ReferenceFolds reference_folds(const OutputView& view)
             static_cast<double>(dominant_degree_of(X, x, areas))};
 }
 
-} // namespace corticle
+} // namespace corticle::metrics

@@ -4,7 +4,7 @@
 #include "corticle/metrics/fold_measures.hpp"
 #include "corticle/model/output_view.hpp"
 
-namespace corticle
+namespace corticle::metrics
 {
 
 /// What is measured at every surface vertex at an output time, in mm at its week.
@@ -14,10 +14,10 @@ struct SurfaceArrays
     std::vector<double> thickness; ///< of the cortex [mm]
 };
 
-SurfaceArrays surface_arrays(const OutputView& view);
+SurfaceArrays surface_arrays(const model::OutputView& view);
 
 /// Folds are measured about the mid-plane of the reference surface.
-FoldOptions fold_options(const OutputView& view);
+FoldOptions fold_options(const model::OutputView& view);
 
 /// Folds as a displacement of the reference surface, in mm of the body as it was given.
 struct ReferenceFolds
@@ -27,6 +27,6 @@ struct ReferenceFolds
                                 ///< folds, or the reference surface is not a sphere
 };
 
-ReferenceFolds reference_folds(const OutputView& view);
+ReferenceFolds reference_folds(const model::OutputView& view);
 
-} // namespace corticle
+} // namespace corticle::metrics

@@ -10,7 +10,7 @@
 #include <limits>
 #include <numbers>
 
-namespace corticle
+namespace corticle::metrics
 {
 
 namespace
@@ -33,7 +33,7 @@ double distance_to_pierced(const Vec3& point, const Vec3& normal, const Triangle
         if (dot(area_vector(mesh, mesh.triangles[k]), normal) < 0.0)
         {
             const auto triangle = static_cast<std::int32_t>(k);
-            smallest = std::min(smallest, closest_point_of_triangle(mesh, triangle, point).squared_distance);
+            smallest = std::min(smallest, geometry::closest_point_of_triangle(mesh, triangle, point).squared_distance);
         }
     }
     return std::sqrt(smallest);
@@ -47,7 +47,7 @@ SurfaceMeasures measure_surface(std::span<const Vec3> vertices, std::span<const 
     m.area_mm2 = surface_area(vertices, triangles);
     m.volume_mm3 = enclosed_volume(vertices, triangles);
     m.area_per_volume = m.area_mm2 / m.volume_mm3;
-    const TriangleMesh hull = convex_hull(vertices);
+    const TriangleMesh hull = geometry::convex_hull(vertices);
     m.hull_area_mm2 = surface_area(hull.vertices, hull.triangles);
     m.gi_hull = m.area_mm2 / m.hull_area_mm2;
     m.gi_sphere = sphere_index(m.area_mm2, m.volume_mm3);
@@ -60,7 +60,7 @@ SurfaceMeasures measure_surface(std::span<const Vec3> vertices, std::span<const 
 
 Overlap measure_overlap(std::span<const Vec3> vertices, std::span<const Triangle> triangles, double probe_distance)
 {
-    const SurfaceTree tree(vertices, triangles);
+    const geometry::SurfaceTree tree(vertices, triangles);
     struct Sum
     {
         double area = 0.0;
@@ -107,4 +107,4 @@ Overlap measure_overlap(std::span<const Vec3> vertices, std::span<const Triangle
     return {sum.covered / sum.area, std::max(0.0, sum.deepest), sum.place};
 }
 
-} // namespace corticle
+} // namespace corticle::metrics

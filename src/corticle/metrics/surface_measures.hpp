@@ -5,7 +5,7 @@
 
 #include <string_view>
 
-namespace corticle
+namespace corticle::metrics
 {
 
 /// Measures of a closed surface.
@@ -37,4 +37,4 @@ struct Overlap
 /// touch
 Overlap measure_overlap(std::span<const Vec3> vertices, std::span<const Triangle> triangles, double probe_distance);
 
-} // namespace corticle
+} // namespace corticle::metrics

@@ -4,7 +4,7 @@
 #include "corticle/metrics/measure_table.hpp"
 #include "corticle/metrics/surface_measures.hpp"
 
-namespace corticle
+namespace corticle::metrics
 {
 
 std::vector<SurfaceRow> surface_rows(std::span<const Vec3> vertices, std::span<const Triangle> triangles,
@@ -24,4 +24,4 @@ std::vector<SurfaceRow> surface_rows(std::span<const Vec3> vertices, std::span<c
     return rows;
 }
 
-} // namespace corticle
+} // namespace corticle::metrics

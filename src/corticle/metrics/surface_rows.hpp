@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace corticle
+namespace corticle::metrics
 {
 
 /// A measure by name: key as in summary.json, unit ("-": a pure number).
@@ -21,4 +21,4 @@ struct SurfaceRow
 std::vector<SurfaceRow> surface_rows(std::span<const Vec3> vertices, std::span<const Triangle> triangles,
                                      const FoldOptions& options = {});
 
-} // namespace corticle
+} // namespace corticle::metrics

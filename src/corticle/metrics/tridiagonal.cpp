@@ -3,7 +3,7 @@
 
 #include <Eigen/Eigenvalues>
 
-namespace corticle
+namespace corticle::metrics
 {
 
 Quadrature gauss_quadrature(const std::vector<double>& diagonal, const std::vector<double>& below)
@@ -21,4 +21,4 @@ Quadrature gauss_quadrature(const std::vector<double>& diagonal, const std::vect
     return {{nodes.begin(), nodes.end()}, {weights.begin(), weights.end()}};
 }
 
-} // namespace corticle
+} // namespace corticle::metrics

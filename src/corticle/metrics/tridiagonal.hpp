@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace corticle
+namespace corticle::metrics
 {
 
 /// Nodes and weights of a Gauss quadrature.
@@ -18,4 +18,4 @@ struct Quadrature
 /// @param below  entries beside the diagonal, one fewer than the diagonal has
 Quadrature gauss_quadrature(const std::vector<double>& diagonal, const std::vector<double>& below);
 
-} // namespace corticle
+} // namespace corticle::metrics

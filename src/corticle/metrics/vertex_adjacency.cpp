@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace corticle
+namespace corticle::metrics
 {
 
 VertexLists incident_triangles(std::size_t vertex_count, std::span<const Triangle> triangles)
@@ -55,4 +55,4 @@ VertexLists adjacent_vertices(std::size_t vertex_count, std::span<const Triangle
     return lists;
 }
 
-} // namespace corticle
+} // namespace corticle::metrics

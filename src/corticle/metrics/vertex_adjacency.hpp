@@ -3,7 +3,7 @@
 
 #include "corticle/mesh/triangle_mesh.hpp"
 
-namespace corticle
+namespace corticle::metrics
 {
 
 /// What belongs to each vertex of a surface: entries begin[v] to begin[v + 1] of `index`, ascending.
@@ -25,4 +25,4 @@ VertexLists adjacent_vertices(std::size_t vertex_count, std::span<const Triangle
 /// Triangles that have each vertex as a corner.
 VertexLists incident_triangles(std::size_t vertex_count, std::span<const Triangle> triangles);
 
-} // namespace corticle
+} // namespace corticle::metrics

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace corticle
+namespace corticle::metrics
 {
 
 namespace
@@ -169,4 +169,4 @@ SliceGyrification zilles_index(std::span<const Vec3> vertices, std::span<const T
     return result;
 }
 
-} // namespace corticle
+} // namespace corticle::metrics

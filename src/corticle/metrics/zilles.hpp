@@ -3,7 +3,7 @@
 
 #include "corticle/mesh/triangle_mesh.hpp"
 
-namespace corticle
+namespace corticle::metrics
 {
 
 /// Planes on which contours are measured.
@@ -28,4 +28,4 @@ struct SliceGyrification
 SliceGyrification zilles_index(std::span<const Vec3> vertices, std::span<const Triangle> triangles,
                                const SliceOptions& options = {});
 
-} // namespace corticle
+} // namespace corticle::metrics

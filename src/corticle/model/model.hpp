@@ -8,14 +8,14 @@
 
 #include <optional>
 
-namespace corticle
+namespace corticle::model
 {
 
 /// The tets of a body, and the tissue at their centroids.
 struct ElementModel
 {
-    TetElements elements;
-    TissueFields tissue;
+    fem::TetElements elements;
+    material::TissueFields tissue;
 };
 
 /// A body as it is before it grows, constant once prepared: nodes, surface, tissue at the material points, and what the
@@ -24,9 +24,9 @@ struct Model
 {
     Cloud cloud;                     ///< the nodes
     TriangleMesh surface;            ///< reference surface; its vertices are cloud.surface_particles
-    TissueFields tissue;             ///< at the nodes
-    Particles particles;             ///< pairs; empty with finite elements
+    material::TissueFields tissue;   ///< at the nodes
+    tlsph::Particles particles;      ///< pairs; empty with finite elements
     std::optional<ElementModel> fem; ///< of method "fem"
 };
 
-} // namespace corticle
+} // namespace corticle::model

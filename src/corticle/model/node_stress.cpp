@@ -4,7 +4,7 @@
 #include "corticle/material/neo_hookean.hpp"
 #include "corticle/material/response.hpp"
 
-namespace corticle
+namespace corticle::model
 {
 
 namespace
@@ -13,22 +13,23 @@ namespace
 /// F G instead of F G^-1, as thesis eq. 22 prints it.
 bool multiplies_growth(const SimulationOptions& options)
 {
-    return options.formulation == Formulation::thesis && options.thesis.growth == GrowthEntry::multiplied;
+    return options.formulation == thesis::Formulation::thesis &&
+           options.thesis.growth == thesis::GrowthEntry::multiplied;
 }
 
 } // namespace
 
 Mat3 cauchy_stress_at(const Simulation& simulation, std::size_t node, const Mat3& F)
 {
-    const Tissue tissue = simulation.tissue();
-    MaterialPoint point = tissue.point(node, simulation.state().t);
+    const material::Tissue tissue = simulation.tissue();
+    material::MaterialPoint point = tissue.point(node, simulation.state().t);
     if (multiplies_growth(simulation.options()))
     {
         point.growth = 1.0 / point.growth;
         point.radial_growth = 1.0 / point.radial_growth;
     }
-    const NeoHookean law{tissue.options.barrier_J};
-    return cauchy_stress(respond(law, point, tissue.growth_normal(node, F), F).P, F);
+    const material::NeoHookean law{tissue.options.barrier_J};
+    return material::cauchy_stress(material::respond(law, point, tissue.growth_normal(node, F), F).P, F);
 }
 
-} // namespace corticle
+} // namespace corticle::model

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/model/observer.hpp"
 
-namespace corticle
+namespace corticle::model
 {
 
 namespace
@@ -52,4 +52,4 @@ RunStatus fold(Simulation& simulation, std::span<const double> times, std::size_
     return tell_end(simulation, RunStatus::completed, observers);
 }
 
-} // namespace corticle
+} // namespace corticle::model

@@ -6,7 +6,7 @@
 #include <functional>
 #include <span>
 
-namespace corticle
+namespace corticle::model
 {
 
 /// How a run ended.
@@ -39,4 +39,4 @@ class Observer
 RunStatus fold(Simulation& simulation, std::span<const double> times, std::size_t first,
                std::span<Observer* const> observers, const std::function<bool()>& stop);
 
-} // namespace corticle
+} // namespace corticle::model

@@ -11,7 +11,7 @@
 
 #include <optional>
 
-namespace corticle
+namespace corticle::model
 {
 
 /// How a body is cut up.
@@ -23,35 +23,36 @@ enum class Method
 
 struct TimeOptions
 {
-    double start = 0.0;                              ///< growth time t of the body as it is given
-    double end = 1.0;                                ///< growth time t at which the run ends
-    GestationalClock clock = GestationalClock::none; ///< with one, the weeks below set start and end
-    std::optional<double> start_week;                ///< gestational age of the body as it is given
-    std::optional<double> end_week;                  ///< gestational age at which the run ends
+    double start = 0.0; ///< growth time t of the body as it is given
+    double end = 1.0;   ///< growth time t at which the run ends
+    material::GestationalClock clock =
+        material::GestationalClock::none; ///< with one, the weeks below set start and end
+    std::optional<double> start_week;     ///< gestational age of the body as it is given
+    std::optional<double> end_week;       ///< gestational age at which the run ends
 };
 
 /// What a simulation of a given body needs to know.
 struct SimulationOptions
 {
     Method method = Method::tlsph; ///< key solver.method
-    TissueOptions tissue;
-    Formulation formulation = Formulation::corrected; ///< key solver.formulation
-    TlsphOptions tlsph;                               ///< keys under [solver]
-    ThesisOptions thesis;                             ///< where formulation = "thesis"
-    ContactOptions contact;                           ///< keys under [contact]
-    DynamicsOptions dynamics;                         ///< keys under [solver]
+    material::TissueOptions tissue;
+    thesis::Formulation formulation = thesis::Formulation::corrected; ///< key solver.formulation
+    tlsph::TlsphOptions tlsph;                                        ///< keys under [solver]
+    thesis::ThesisOptions thesis;                                     ///< where formulation = "thesis"
+    contact::ContactOptions contact;                                  ///< keys under [contact]
+    dynamics::DynamicsOptions dynamics;                               ///< keys under [solver]
     TimeOptions time;
-    SizeOptions size;
+    material::SizeOptions size;
 };
 
 /// Times of growth closer than this are the same output time.
 inline constexpr double same_output_time = 1e-9;
 
 /// The size by which the cortex thins, if it does.
-inline ReferenceSize cortex_size(const SimulationOptions& options)
+inline material::ReferenceSize cortex_size(const SimulationOptions& options)
 {
-    return {options.time.clock, options.size.thin_cortex ? options.size.law : LengthLaw::none,
+    return {options.time.clock, options.size.thin_cortex ? options.size.law : material::LengthLaw::none,
             options.time.start_week.value_or(0.0)};
 }
 
-} // namespace corticle
+} // namespace corticle::model

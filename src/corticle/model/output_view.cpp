@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/model/output_view.hpp"
 
-namespace corticle
+namespace corticle::model
 {
 
 OutputView output_view(const Simulation& simulation, std::size_t number, const PhysicalScale& scale)
@@ -11,4 +11,4 @@ OutputView output_view(const Simulation& simulation, std::size_t number, const P
     return {simulation, number, scale, simulation.deformation_gradients(), std::move(surface), std::move(as_folded)};
 }
 
-} // namespace corticle
+} // namespace corticle::model

@@ -4,7 +4,7 @@
 #include "corticle/model/physical_scale.hpp"
 #include "corticle/model/simulation.hpp"
 
-namespace corticle
+namespace corticle::model
 {
 
 /// A simulation at an output time, gathered and scaled once for all who look at it.
@@ -28,4 +28,4 @@ inline OutputView output_view(const Simulation& simulation, std::size_t number =
     return output_view(simulation, number, physical_scale(simulation));
 }
 
-} // namespace corticle
+} // namespace corticle::model

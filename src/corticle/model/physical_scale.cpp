@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace corticle
+namespace corticle::model
 {
 
 namespace
@@ -33,20 +33,20 @@ double lengthening(const Simulation& simulation)
 PhysicalScale physical_scale(const Simulation& simulation)
 {
     const SimulationOptions& options = simulation.options();
-    const GestationalClock clock = options.time.clock;
-    if (clock == GestationalClock::none)
+    const material::GestationalClock clock = options.time.clock;
+    if (clock == material::GestationalClock::none)
     {
         return {};
     }
     PhysicalScale scale;
     // The start of the cubic clock, rounded to 0, lies before its own 22 weeks.
     const double t = simulation.state().t;
-    scale.week = t <= options.time.start ? *options.time.start_week : gestational_week(clock, t);
-    if (options.size.scaled && options.size.law != LengthLaw::none)
+    scale.week = t <= options.time.start ? *options.time.start_week : material::gestational_week(clock, t);
+    if (options.size.scaled && options.size.law != material::LengthLaw::none)
     {
-        scale.length = brain_length(options.size.law, clock, scale.week) /
-                       brain_length(options.size.law, clock, *options.time.start_week);
-        scale.length /= options.size.applies_to == SizedState::body ? lengthening(simulation) : 1.0;
+        scale.length = material::brain_length(options.size.law, clock, scale.week) /
+                       material::brain_length(options.size.law, clock, *options.time.start_week);
+        scale.length /= options.size.applies_to == material::SizedState::body ? lengthening(simulation) : 1.0;
     }
     return scale;
 }
@@ -61,4 +61,4 @@ std::vector<Vec3> scaled(std::span<const Vec3> positions, double factor)
     return result;
 }
 
-} // namespace corticle
+} // namespace corticle::model

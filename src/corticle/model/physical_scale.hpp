@@ -6,7 +6,7 @@
 #include <limits>
 #include <span>
 
-namespace corticle
+namespace corticle::model
 {
 
 /// What turns the coordinates of a run, in mm of the body as it was given, into those of a brain at its week.
@@ -24,4 +24,4 @@ PhysicalScale physical_scale(const Simulation& simulation);
 /// `positions` times `factor`, about the origin [mm].
 std::vector<Vec3> scaled(std::span<const Vec3> positions, double factor);
 
-} // namespace corticle
+} // namespace corticle::model

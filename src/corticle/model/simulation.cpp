@@ -13,7 +13,7 @@
 #include <limits>
 #include <numbers>
 
-namespace corticle
+namespace corticle::model
 {
 
 namespace
@@ -46,21 +46,21 @@ double loading_time(const Model& model, const SimulationOptions& options)
         volume += V;
     }
     const double radius = std::cbrt(3.0 * volume / (4.0 * std::numbers::pi));
-    return options.dynamics.loading_time * radius / wave_speed(options.tissue);
+    return options.dynamics.loading_time * radius / material::wave_speed(options.tissue);
 }
 
 /// The body at rest as its growth begins.
 State starting_state(const Model& model, const SimulationOptions& options)
 {
-    const ReferenceSize size = cortex_size(options);
+    const material::ReferenceSize size = cortex_size(options);
     State state;
     state.t = options.time.start;
     state.motion.x = model.cloud.positions;
     state.motion.v.resize(model.cloud.positions.size());
-    state.nodes = start_tissue(model.tissue, options.tissue, size, state.t);
+    state.nodes = material::start_tissue(model.tissue, options.tissue, size, state.t);
     if (model.fem)
     {
-        state.elements = start_tissue(model.fem->tissue, options.tissue, size, state.t);
+        state.elements = material::start_tissue(model.fem->tissue, options.tissue, size, state.t);
     }
     return state;
 }
@@ -74,21 +74,23 @@ Simulation::Simulation(std::shared_ptr<const Model> model, SimulationOptions opt
       damping_(options_->dynamics.damping / total_time_),
       rest_dt_(options_->dynamics.time_step > 0.0
                    ? options_->dynamics.time_step * total_time_
-                   : critical_step(options_->dynamics.cfl, model_->cloud.spacing, wave_speed(options_->tissue))),
+                   : dynamics::critical_step(options_->dynamics.cfl, model_->cloud.spacing,
+                                             material::wave_speed(options_->tissue))),
       loading_(options_->dynamics, options_->tissue, options_->time.start)
 {
-    auto tissue = std::make_unique<TissueTerm>(make_discretization(*model_, *options_, *state_), model_->cloud.spacing,
-                                               options_->dynamics.time_step * total_time_);
+    auto tissue =
+        std::make_unique<mechanics::TissueTerm>(make_discretization(*model_, *options_, *state_), model_->cloud.spacing,
+                                                options_->dynamics.time_step * total_time_);
     tissue_ = tissue.get();
     terms_.insert(terms_.begin(), std::move(tissue));
     for (const auto& term : terms_)
     {
-        contact_ = contact_ != nullptr ? contact_ : dynamic_cast<const ContactTerm*>(term.get());
+        contact_ = contact_ != nullptr ? contact_ : dynamic_cast<const contact::ContactTerm*>(term.get());
     }
     start();
 }
 
-void Simulation::add_term(std::unique_ptr<ForceTerm> term)
+void Simulation::add_term(std::unique_ptr<mechanics::ForceTerm> term)
 {
     terms_.push_back(std::move(term));
     start();
@@ -130,8 +132,9 @@ void Simulation::step(double t_stop)
     {
         const double stable = now_.stable_step * state_->step_scale;
         require_step(stable);
-        const StepPlan plan = plan_step(state_->t, t_stop, stable, state_->loading_rate, total_time_);
-        const std::optional<StepEnergies> energies = advance(plan);
+        const dynamics::StepPlan plan =
+            dynamics::plan_step(state_->t, t_stop, stable, state_->loading_rate, total_time_);
+        const std::optional<dynamics::StepEnergies> energies = advance(plan);
         if (energies && evaluate(trial_, plan.t, plan.dt))
         {
             return commit(plan, *energies);
@@ -146,26 +149,26 @@ void Simulation::step(double t_stop)
 }
 
 /// Where a step from the present state leads; nothing where it inverts a particle on the way.
-std::optional<StepEnergies> Simulation::advance(const StepPlan& plan)
+std::optional<dynamics::StepEnergies> Simulation::advance(const dynamics::StepPlan& plan)
 {
     const double damping = damping_ / state_->loading_rate; // drag on what moves as growth does stays the same
-    if (options_->dynamics.integrator == Integrator::symplectic_euler)
+    if (options_->dynamics.integrator == dynamics::Integrator::symplectic_euler)
     {
-        StepEnergies energies = corticle::advance(state_->motion, mass_, plan.dt, damping, trial_);
+        dynamics::StepEnergies energies = dynamics::advance(state_->motion, mass_, plan.dt, damping, trial_);
         trial_travel_ = limit_travel(plan, energies.longest);
         energies.kinetic -= trial_travel_.energy;
         return energies;
     }
     return runge_kutta_.advance(
         state_->motion, mass_, plan.dt, damping,
-        [&](Motion& stage, double part)
+        [&](dynamics::Motion& stage, double part)
         { return evaluate(stage, plan.t_before + part * (plan.t - plan.t_before), part * plan.dt); },
         trial_);
 }
 
-TravelTaken Simulation::limit_travel(const StepPlan& plan, double longest)
+mechanics::TravelTaken Simulation::limit_travel(const dynamics::StepPlan& plan, double longest)
 {
-    TravelTaken taken;
+    mechanics::TravelTaken taken;
     for (std::size_t k = 0; k < terms_.size(); ++k)
     {
         const Stopwatch watch(seconds_[k]);
@@ -176,15 +179,15 @@ TravelTaken Simulation::limit_travel(const StepPlan& plan, double longest)
 
 /// Forces, energies and limits of all terms at a motion's positions; false when the positions are invalid.
 /// @param dt  time from the present state to there
-bool Simulation::evaluate(Motion& motion, double t, double dt)
+bool Simulation::evaluate(dynamics::Motion& motion, double t, double dt)
 {
     move_layer(t);
-    const StepContext context{t, state_->t, dt, options_->dynamics.cfl, motion.x, motion.v, state_->history};
+    const mechanics::StepContext context{t, state_->t, dt, options_->dynamics.cfl, motion.x, motion.v, state_->history};
     trial_sum_ = {};
     for (std::size_t k = 0; k < terms_.size() && trial_sum_.invalid_at < 0; ++k)
     {
         const Stopwatch watch(seconds_[k]);
-        const Contribution contribution = terms_[k]->add(context, motion.force);
+        const mechanics::Contribution contribution = terms_[k]->add(context, motion.force);
         stable_steps_[k] = contribution.stable_step;
         trial_sum_ += contribution;
     }
@@ -194,22 +197,22 @@ bool Simulation::evaluate(Motion& motion, double t, double dt)
 /// theta at growth time t, at the nodes and in the elements.
 void Simulation::move_layer(double t)
 {
-    const ReferenceSize size = cortex_size(*options_);
-    if (layer_moves(model_->tissue, options_->tissue, size))
+    const material::ReferenceSize size = cortex_size(*options_);
+    if (material::layer_moves(model_->tissue, options_->tissue, size))
     {
-        set_layer(model_->tissue, options_->tissue, size, t, state_->nodes);
+        material::set_layer(model_->tissue, options_->tissue, size, t, state_->nodes);
         if (model_->fem)
         {
-            set_layer(model_->fem->tissue, options_->tissue, size, t, state_->elements);
+            material::set_layer(model_->fem->tissue, options_->tissue, size, t, state_->elements);
         }
     }
 }
 
 /// Makes the step that was tried the present state.
-void Simulation::commit(const StepPlan& plan, const StepEnergies& energies)
+void Simulation::commit(const dynamics::StepPlan& plan, const dynamics::StepEnergies& energies)
 {
-    const StepContext context{plan.t,   plan.t_before, plan.dt,        options_->dynamics.cfl,
-                              trial_.x, trial_.v,      state_->history};
+    const mechanics::StepContext context{plan.t,   plan.t_before, plan.dt,        options_->dynamics.cfl,
+                                         trial_.x, trial_.v,      state_->history};
     for (const auto& term : terms_)
     {
         term->accept(context, state_->history);
@@ -246,7 +249,7 @@ void Simulation::note_onset()
     }
 }
 
-void Simulation::give_up(const Motion& motion, double t, double dt) const
+void Simulation::give_up(const dynamics::Motion& motion, double t, double dt) const
 {
     std::string diagnosis;
     for (const auto& term : terms_)
@@ -284,9 +287,9 @@ std::string Simulation::cause_of_short_step() const
     return terms_[others_would_do ? shortest : 0]->cause_of_short_step(x);
 }
 
-std::vector<NamedEnergy> Simulation::energies() const
+std::vector<mechanics::NamedEnergy> Simulation::energies() const
 {
-    std::vector<NamedEnergy> all;
+    std::vector<mechanics::NamedEnergy> all;
     for (const auto& term : terms_)
     {
         std::ranges::copy(term->energies(), std::back_inserter(all));
@@ -314,4 +317,4 @@ Vec3 Simulation::place_of_smallest_J() const
     return tissue_->method().place_of(std::max<std::int64_t>(internal().smallest_J_at, 0), state_->motion.x);
 }
 
-} // namespace corticle
+} // namespace corticle::model

@@ -13,7 +13,7 @@
 #include <memory>
 #include <optional>
 
-namespace corticle
+namespace corticle::model
 {
 
 /// The loop: grow, ask every force term, integrate. Steps follow the state; a step that inverts a particle is taken
@@ -25,7 +25,7 @@ class Simulation
     Simulation(std::shared_ptr<const Model> model, SimulationOptions options);
 
     /// One more force on the nodes, from the present state on.
-    void add_term(std::unique_ptr<ForceTerm> term);
+    void add_term(std::unique_ptr<mechanics::ForceTerm> term);
 
     /// Starts from a state read from a checkpoint. @throws InputError where it is that of another body
     void restore(State state);
@@ -39,13 +39,16 @@ class Simulation
     const SimulationOptions& options() const { return *options_; }
     const State& state() const { return *state_; }
     /// The tissue at the nodes, now.
-    Tissue tissue() const { return {options_->tissue, model_->tissue, state_->nodes}; }
+    material::Tissue tissue() const { return {options_->tissue, model_->tissue, state_->nodes}; }
     /// All forces, the tissue's first.
-    std::span<const std::unique_ptr<ForceTerm>> terms() const { return terms_; }
+    std::span<const std::unique_ptr<mechanics::ForceTerm>> terms() const { return terms_; }
     /// What all terms store now, by kind [mu_w mm³].
-    std::vector<NamedEnergy> energies() const;
-    const InternalResponse& internal() const { return tissue_->response(); }
-    ContactResponse contact() const { return contact_ != nullptr ? contact_->response() : ContactResponse{}; }
+    std::vector<mechanics::NamedEnergy> energies() const;
+    const mechanics::InternalResponse& internal() const { return tissue_->response(); }
+    contact::ContactResponse contact() const
+    {
+        return contact_ != nullptr ? contact_->response() : contact::ContactResponse{};
+    }
     /// Wall time that a term has taken since the simulation was made [s]; 0 where there is no term of this name.
     double seconds_of(std::string_view term) const;
     double total_time() const { return total_time_; }
@@ -63,34 +66,34 @@ class Simulation
   private:
     void start();
     void move_layer(double t);
-    bool evaluate(Motion& motion, double t, double dt);
-    std::optional<StepEnergies> advance(const StepPlan& plan);
-    TravelTaken limit_travel(const StepPlan& plan, double longest);
-    void commit(const StepPlan& plan, const StepEnergies& energies);
+    bool evaluate(dynamics::Motion& motion, double t, double dt);
+    std::optional<dynamics::StepEnergies> advance(const dynamics::StepPlan& plan);
+    mechanics::TravelTaken limit_travel(const dynamics::StepPlan& plan, double longest);
+    void commit(const dynamics::StepPlan& plan, const dynamics::StepEnergies& energies);
     void note_onset();
     void require_step(double dt) const;
-    [[noreturn]] void give_up(const Motion& motion, double t, double dt) const;
+    [[noreturn]] void give_up(const dynamics::Motion& motion, double t, double dt) const;
     std::string cause_of_short_step() const;
 
     // Behind pointers, so that what refers to them outlives a move of the simulation.
     std::shared_ptr<const Model> model_;
     std::unique_ptr<const SimulationOptions> options_;
     std::unique_ptr<State> state_;
-    std::vector<std::unique_ptr<ForceTerm>> terms_;
-    const TissueTerm* tissue_ = nullptr;   ///< the first of them
-    const ContactTerm* contact_ = nullptr; ///< or none
-    std::vector<double> seconds_;          ///< of each term
-    std::vector<double> stable_steps_;     ///< of each term at the last evaluation
-    const std::vector<double>& mass_;      ///< density 1 [mm³]
-    double total_time_;                    ///< T, time of t = 0..1
-    double damping_;                       ///< gamma
-    double rest_dt_;                       ///< the step that the body allows at rest
-    Loading loading_;
-    RungeKutta4 runge_kutta_;
-    Motion trial_;
-    TravelTaken trial_travel_; ///< taken from the step that is tried
-    Contribution now_;         ///< of all terms, at the present state
-    Contribution trial_sum_;   ///< the same of the step that is tried
+    std::vector<std::unique_ptr<mechanics::ForceTerm>> terms_;
+    const mechanics::TissueTerm* tissue_ = nullptr; ///< the first of them
+    const contact::ContactTerm* contact_ = nullptr; ///< or none
+    std::vector<double> seconds_;                   ///< of each term
+    std::vector<double> stable_steps_;              ///< of each term at the last evaluation
+    const std::vector<double>& mass_;               ///< density 1 [mm³]
+    double total_time_;                             ///< T, time of t = 0..1
+    double damping_;                                ///< gamma
+    double rest_dt_;                                ///< the step that the body allows at rest
+    dynamics::Loading loading_;
+    dynamics::RungeKutta4 runge_kutta_;
+    dynamics::Motion trial_;
+    mechanics::TravelTaken trial_travel_; ///< taken from the step that is tried
+    mechanics::Contribution now_;         ///< of all terms, at the present state
+    mechanics::Contribution trial_sum_;   ///< the same of the step that is tried
 };
 
-} // namespace corticle
+} // namespace corticle::model

@@ -6,35 +6,35 @@
 #include "corticle/mechanics/thesis/printed_solver.hpp"
 #include "corticle/mechanics/tlsph/solver.hpp"
 
-namespace corticle
+namespace corticle::model
 {
 
-std::unique_ptr<Discretization> make_discretization(const Model& model, const SimulationOptions& options,
-                                                    const State& state)
+std::unique_ptr<mechanics::Discretization> make_discretization(const Model& model, const SimulationOptions& options,
+                                                               const State& state)
 {
     if (options.method == Method::fem)
     {
-        return std::make_unique<FemSolver>(model.fem->elements,
-                                           Tissue{options.tissue, model.fem->tissue, state.elements});
+        return std::make_unique<fem::FemSolver>(model.fem->elements,
+                                                material::Tissue{options.tissue, model.fem->tissue, state.elements});
     }
-    const Tissue tissue{options.tissue, model.tissue, state.nodes};
-    if (options.formulation == Formulation::thesis)
+    const material::Tissue tissue{options.tissue, model.tissue, state.nodes};
+    if (options.formulation == thesis::Formulation::thesis)
     {
-        return std::make_unique<PrintedSolver>(model.particles, tissue, options.thesis);
+        return std::make_unique<thesis::PrintedSolver>(model.particles, tissue, options.thesis);
     }
-    return std::make_unique<TlsphSolver>(model.particles, tissue);
+    return std::make_unique<tlsph::TlsphSolver>(model.particles, tissue);
 }
 
-std::vector<std::unique_ptr<ForceTerm>> make_terms(const Model& model, const SimulationOptions& options)
+std::vector<std::unique_ptr<mechanics::ForceTerm>> make_terms(const Model& model, const SimulationOptions& options)
 {
-    std::vector<std::unique_ptr<ForceTerm>> terms;
+    std::vector<std::unique_ptr<mechanics::ForceTerm>> terms;
     if (options.contact.enabled)
     {
-        terms.push_back(std::make_unique<ContactTerm>(model.cloud, model.surface, model.cloud.volumes,
-                                                      wave_speed(options.tissue) / model.cloud.spacing, options.contact,
-                                                      options.dynamics.time_step > 0.0));
+        terms.push_back(std::make_unique<contact::ContactTerm>(
+            model.cloud, model.surface, model.cloud.volumes, material::wave_speed(options.tissue) / model.cloud.spacing,
+            options.contact, options.dynamics.time_step > 0.0));
     }
     return terms;
 }
 
-} // namespace corticle
+} // namespace corticle::model

@@ -9,14 +9,14 @@
 #include <memory>
 #include <vector>
 
-namespace corticle
+namespace corticle::model
 {
 
 /// The discretisation the options ask for. Refers to all three.
-std::unique_ptr<Discretization> make_discretization(const Model& model, const SimulationOptions& options,
-                                                    const State& state);
+std::unique_ptr<mechanics::Discretization> make_discretization(const Model& model, const SimulationOptions& options,
+                                                               const State& state);
 
 /// The forces of a simulation besides those of the tissue. Refer to the model.
-std::vector<std::unique_ptr<ForceTerm>> make_terms(const Model& model, const SimulationOptions& options);
+std::vector<std::unique_ptr<mechanics::ForceTerm>> make_terms(const Model& model, const SimulationOptions& options);
 
-} // namespace corticle
+} // namespace corticle::model

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace corticle
+namespace corticle::prepare
 {
 
 namespace
@@ -26,18 +26,18 @@ std::string_view unit_hint(const GeometryOptions& geometry)
     {
         return "";
     }
-    return is_nifti(geometry.file) ? "; are the voxel sizes of the image right?" : "; is geometry.unit right?";
+    return formats::is_nifti(geometry.file) ? "; are the voxel sizes of the image right?" : "; is geometry.unit right?";
 }
 
-void require_white_matter(const PreparationOptions& options, const TissueFields& tissue)
+void require_white_matter(const PreparationOptions& options, const material::TissueFields& tissue)
 {
     const double t = options.time.start;
-    const double scale = cortex_size(options).scale(t);
-    double thinnest = thickness_at(tissue, options.tissue, 0, t) / scale;
+    const double scale = model::cortex_size(options).scale(t);
+    double thinnest = material::thickness_at(tissue, options.tissue, 0, t) / scale;
     double deepest = 0.0;
     for (std::size_t i = 0; i < tissue.depth.size(); ++i)
     {
-        const double thickness = thickness_at(tissue, options.tissue, i, t) / scale;
+        const double thickness = material::thickness_at(tissue, options.tissue, i, t) / scale;
         if (tissue.depth[i] > thickness)
         {
             return;
@@ -51,20 +51,22 @@ void require_white_matter(const PreparationOptions& options, const TissueFields&
 }
 
 /// The thickness goes linearly with t: its smallest value is at the start or at the end.
-void require_thickness(const PreparationOptions& options, std::span<const Vec3> places, const TissueFields& tissue)
+void require_thickness(const PreparationOptions& options, std::span<const Vec3> places,
+                       const material::TissueFields& tissue)
 {
     const std::vector<double>& map = tissue.thickness;
     const auto thinnest = map.empty() ? 0 : static_cast<std::size_t>(std::ranges::min_element(map) - map.begin());
     for (const double t : {options.time.start, options.time.end})
     {
-        const double thickness = thickness_at(tissue, options.tissue, thinnest, t);
+        const double thickness = material::thickness_at(tissue, options.tissue, thinnest, t);
         if (!(thickness > 0.0))
         {
             const Vec3& X = places[thinnest];
             throw InputError(fmt::format(
                 "tissue.thickness_rate_mm = {:g}: the cortex near ({:.4g}, {:.4g}, {:.4g}) mm, {:.4g} mm thick at t = "
                 "0{}, has {:.4g} mm at t = {:.4g}; expected more than 0 during the whole run",
-                options.tissue.thickness_rate_mm, X.x, X.y, X.z, thickness_at(tissue, options.tissue, thinnest, 0.0),
+                options.tissue.thickness_rate_mm, X.x, X.y, X.z,
+                material::thickness_at(tissue, options.tissue, thinnest, 0.0),
                 options.map.thickness_file.empty() ? "" : " by map.thickness_file " + options.map.thickness_file,
                 thickness, t));
         }
@@ -73,13 +75,14 @@ void require_thickness(const PreparationOptions& options, std::span<const Vec3> 
 
 } // namespace
 
-void require_cortex(const PreparationOptions& options, std::span<const Vec3> places, const TissueFields& tissue)
+void require_cortex(const PreparationOptions& options, std::span<const Vec3> places,
+                    const material::TissueFields& tissue)
 {
     require_thickness(options, places, tissue);
     require_white_matter(options, tissue);
 }
 
-std::string size_warning(const PreparationOptions& options, const Model& model)
+std::string size_warning(const PreparationOptions& options, const model::Model& model)
 {
     const double volume = std::accumulate(model.cloud.volumes.begin(), model.cloud.volumes.end(), 0.0);
     if (options.geometry.shape != Shape::file || (volume >= smallest_brain_mm3 && volume <= largest_brain_mm3))
@@ -90,4 +93,4 @@ std::string size_warning(const PreparationOptions& options, const Model& model)
                        volume < smallest_brain_mm3 ? "smaller" : "larger", unit_hint(options.geometry));
 }
 
-} // namespace corticle
+} // namespace corticle::prepare

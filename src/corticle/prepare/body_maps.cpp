@@ -13,7 +13,7 @@
 #include <iterator>
 #include <set>
 
-namespace corticle
+namespace corticle::prepare
 {
 
 namespace
@@ -29,8 +29,8 @@ struct RegionColumn
 };
 
 /// The number of the region that each point is in; empty where the table has no such column.
-std::vector<double> by_region(const MapOptions& options, const LabelTable& table, std::span<const double> labels,
-                              const RegionColumn& wanted)
+std::vector<double> by_region(const MapOptions& options, const formats::LabelTable& table,
+                              std::span<const double> labels, const RegionColumn& wanted)
 {
     const std::int64_t column = table.column(wanted.name);
     if (column < 0 && wanted.is_needed)
@@ -63,7 +63,8 @@ std::vector<double> by_region(const MapOptions& options, const LabelTable& table
 }
 
 /// Columns that are not read, and lines whose label no point has: a misspelt one should not vanish.
-void note_what_is_unused(const LabelTable& table, std::span<const double> labels, std::vector<std::string>& notes)
+void note_what_is_unused(const formats::LabelTable& table, std::span<const double> labels,
+                         std::vector<std::string>& notes)
 {
     if (!table.unused.empty())
     {
@@ -88,7 +89,7 @@ void note_what_is_unused(const LabelTable& table, std::span<const double> labels
 void apply_regions(const MapOptions& options, std::span<const double> labels, BodyMaps& maps)
 {
     constexpr std::array<std::string_view, 3> used{"growth", "onset", "rate"};
-    const LabelTable table = read_label_table(options.region_table, used);
+    const formats::LabelTable table = formats::read_label_table(options.region_table, used);
     note_what_is_unused(table, labels, maps.notes);
     const std::vector<double> factors = by_region(options, table, labels, {"growth", 0.0, 1000.0, true});
     for (std::size_t i = 0; i < factors.size(); ++i)
@@ -137,4 +138,4 @@ BodyMaps read_body_maps(const MapOptions& options, const TriangleMesh& surface, 
     return maps;
 }
 
-} // namespace corticle
+} // namespace corticle::prepare

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace corticle
+namespace corticle::prepare
 {
 
 /// What map files say at material points.
@@ -30,4 +30,4 @@ struct BodyMaps
 /// without a line in the table; a map by vertices where there is no surface
 BodyMaps read_body_maps(const MapOptions& options, const TriangleMesh& surface, std::span<const Vec3> positions);
 
-} // namespace corticle
+} // namespace corticle::prepare

@@ -13,7 +13,7 @@
 #include <iterator>
 #include <numbers>
 
-namespace corticle
+namespace corticle::prepare
 {
 
 namespace
@@ -22,9 +22,9 @@ namespace
 void take_labels(const GeometryOptions& options, BodySource& source)
 {
     source.kind = "labels";
-    ImagedSurface imaged = read_label_surface(options.file, options.mask, options.coordinates, source.notes);
+    imaging::ImagedSurface imaged = read_label_surface(options.file, options.mask, options.coordinates, source.notes);
     source.surface = std::move(imaged.surface);
-    std::ranges::copy(describe(imaged.report), std::back_inserter(source.notes));
+    std::ranges::copy(imaging::describe(imaged.report), std::back_inserter(source.notes));
     source.warnings = imaged.report.warnings;
     source.reports.mask = std::move(imaged.report);
 }
@@ -32,9 +32,9 @@ void take_labels(const GeometryOptions& options, BodySource& source)
 void take_tets(const GeometryOptions& options, BodySource& source)
 {
     source.kind = "tets";
-    TetReport report;
-    source.tets = require_valid_tets(read_tets(options.file, millimetres_per(options.unit), &source.notes),
-                                     options.file, &report);
+    geometry::TetReport report;
+    source.tets = geometry::require_valid_tets(
+        formats::read_tets(options.file, formats::millimetres_per(options.unit), &source.notes), options.file, &report);
     std::ranges::copy(report.lines, std::back_inserter(source.notes));
     source.reports.tets = std::move(report);
     source.surface = boundary_of(*source.tets).surface;
@@ -43,9 +43,10 @@ void take_tets(const GeometryOptions& options, BodySource& source)
 void take_surface(const GeometryOptions& options, BodySource& source)
 {
     source.kind = "surface";
-    source.map_surface =
-        read_surface_unmerged(options.file, {millimetres_per(options.unit), options.coordinates, &source.notes});
-    RepairedSurface repaired = repair_surface(source.map_surface, options.file, options.repair, options.wrap);
+    source.map_surface = formats::read_surface_unmerged(
+        options.file, {formats::millimetres_per(options.unit), options.coordinates, &source.notes});
+    geometry::RepairedSurface repaired =
+        geometry::repair_surface(source.map_surface, options.file, options.repair, options.wrap);
     source.surface = std::move(repaired.mesh);
     std::ranges::copy(repaired.report.lines, std::back_inserter(source.notes));
     std::ranges::copy(repaired.report.warnings, std::back_inserter(source.warnings));
@@ -79,11 +80,11 @@ BodySource read_body_source(const GeometryOptions& options)
         source.area = ellipsoid_area(axes);
         return source;
     }
-    if (is_nifti(options.file))
+    if (formats::is_nifti(options.file))
     {
         take_labels(options, source);
     }
-    else if (is_tet_file(options.file))
+    else if (formats::is_tet_file(options.file))
     {
         take_tets(options, source);
     }
@@ -96,4 +97,4 @@ BodySource read_body_source(const GeometryOptions& options)
     return source;
 }
 
-} // namespace corticle
+} // namespace corticle::prepare

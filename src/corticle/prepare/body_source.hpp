@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace corticle
+namespace corticle::prepare
 {
 
 /// What a body is made from, before particles are arranged. [mm]
@@ -32,4 +32,4 @@ BodySource read_body_source(const GeometryOptions& options);
 /// Semi-axes of a sphere or an ellipsoid [mm].
 std::array<double, 3> semi_axes(const GeometryOptions& options);
 
-} // namespace corticle
+} // namespace corticle::prepare

@@ -9,18 +9,18 @@
 
 #include <algorithm>
 
-namespace corticle
+namespace corticle::prepare
 {
 
-ImagedSurface read_label_surface(const std::filesystem::path& file, const MaskOptions& mask, Coordinates coordinates,
-                                 std::vector<std::string>& notes)
+imaging::ImagedSurface read_label_surface(const std::filesystem::path& file, const imaging::MaskOptions& mask,
+                                          formats::Coordinates coordinates, std::vector<std::string>& notes)
 {
-    LabelVolume image = read_nifti(file, {mask.volume, coordinates});
+    imaging::LabelVolume image = formats::read_nifti(file, {mask.volume, coordinates});
     std::ranges::move(image.notes, std::back_inserter(notes));
     try
     {
-        ImagedSurface imaged = surface_from_labels(image, mask);
-        require_valid_surface(imaged.surface, "its surface");
+        imaging::ImagedSurface imaged = imaging::surface_from_labels(image, mask);
+        geometry::require_valid_surface(imaged.surface, "its surface");
         return imaged;
     }
     catch (const InputError& error)
@@ -29,4 +29,4 @@ ImagedSurface read_label_surface(const std::filesystem::path& file, const MaskOp
     }
 }
 
-} // namespace corticle
+} // namespace corticle::prepare

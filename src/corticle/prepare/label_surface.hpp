@@ -6,13 +6,13 @@
 
 #include <filesystem>
 
-namespace corticle
+namespace corticle::prepare
 {
 
 /// The surface of the labels of a NIfTI file, for whatever reads one: prepare, run, measure and compare. `notes`
 /// receives a line for each field of the header that was not taken as it stands.
 /// @throws InputError, one line naming the file
-ImagedSurface read_label_surface(const std::filesystem::path& file, const MaskOptions& mask, Coordinates coordinates,
-                                 std::vector<std::string>& notes);
+imaging::ImagedSurface read_label_surface(const std::filesystem::path& file, const imaging::MaskOptions& mask,
+                                          formats::Coordinates coordinates, std::vector<std::string>& notes);
 
-} // namespace corticle
+} // namespace corticle::prepare

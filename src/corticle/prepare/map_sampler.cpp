@@ -13,7 +13,7 @@
 #include <cmath>
 #include <map>
 
-namespace corticle
+namespace corticle::prepare
 {
 
 namespace
@@ -65,7 +65,7 @@ std::vector<double> MapSampler::numbers(const MapFile& map, const MapRange& rang
     find_feet();
     std::vector<double> result;
     result.reserve(feet_.size());
-    for (const SurfacePoint& foot : feet_)
+    for (const geometry::SurfacePoint& foot : feet_)
     {
         const Triangle& corners = surface_.triangles[static_cast<std::size_t>(foot.triangle)];
         double sum = 0.0;
@@ -97,7 +97,7 @@ void MapSampler::judge_numbers(const MapFile& map, std::span<const double> given
 
 std::vector<double> MapSampler::labels(const MapFile& map)
 {
-    return is_nifti(map.file) ? in_volume(map) : labels_of_vertices(map);
+    return formats::is_nifti(map.file) ? in_volume(map) : labels_of_vertices(map);
 }
 
 std::vector<double> MapSampler::labels_of_vertices(const MapFile& map)
@@ -105,7 +105,7 @@ std::vector<double> MapSampler::labels_of_vertices(const MapFile& map)
     std::vector<double> values = at_vertices(map);
     for (std::size_t k = 0; k < values.size(); ++k)
     {
-        if (!is_whole_label(values[k], values[k]))
+        if (!imaging::is_whole_label(values[k], values[k]))
         {
             throw InputError(fmt::format("{} {}: vertex {} has {:.9g}; expected a whole number, a label", map.key,
                                          map.file, k, values[k]));
@@ -115,7 +115,7 @@ std::vector<double> MapSampler::labels_of_vertices(const MapFile& map)
     find_feet();
     std::vector<double> result;
     result.reserve(feet_.size());
-    for (const SurfacePoint& foot : feet_)
+    for (const geometry::SurfacePoint& foot : feet_)
     {
         const Triangle& corners = surface_.triangles[static_cast<std::size_t>(foot.triangle)];
         const auto nearest = std::ranges::max_element(foot.barycentric) - foot.barycentric.begin();
@@ -152,7 +152,7 @@ std::vector<double> MapSampler::at_vertices(const MapFile& map) const
                                      "a surface file; expected a NIfTI label volume, or geometry.file = a surface",
                                      map.key, map.file));
     }
-    return read_surface_map(map.file, map.array, std::ssize(surface_.vertices));
+    return formats::read_surface_map(map.file, map.array, std::ssize(surface_.vertices));
 }
 
 void MapSampler::find_feet()
@@ -161,7 +161,7 @@ void MapSampler::find_feet()
     {
         return;
     }
-    const SurfaceTree tree(surface_.vertices, surface_.triangles);
+    const geometry::SurfaceTree tree(surface_.vertices, surface_.triangles);
     feet_.resize(positions_.size());
     parallel_for(std::ssize(positions_),
                  [&](std::int64_t i)
@@ -174,7 +174,7 @@ void MapSampler::find_feet()
 /// The label of the voxel each point lies in; 0 outside the volume.
 std::vector<double> MapSampler::in_volume(const MapFile& map)
 {
-    const LabelVolume volume = read_nifti(map.file);
+    const imaging::LabelVolume volume = formats::read_nifti(map.file);
     for (const std::string& note : volume.notes)
     {
         notes.push_back(fmt::format("{}: {}", map.key, note));
@@ -215,4 +215,4 @@ std::vector<double> MapSampler::in_volume(const MapFile& map)
     return result;
 }
 
-} // namespace corticle
+} // namespace corticle::prepare

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace corticle
+namespace corticle::prepare
 {
 
 /// A map file and which array of it is meant.
@@ -56,7 +56,7 @@ class MapSampler
 
     const TriangleMesh& surface_;
     std::span<const Vec3> positions_;
-    std::vector<SurfacePoint> feet_; ///< of the points on the surface; found when first needed
+    std::vector<geometry::SurfacePoint> feet_; ///< of the points on the surface; found when first needed
 };
 
-} // namespace corticle
+} // namespace corticle::prepare

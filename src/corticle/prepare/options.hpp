@@ -14,7 +14,7 @@
 #include <optional>
 #include <string>
 
-namespace corticle
+namespace corticle::prepare
 {
 
 /// Particles of a case that gives neither geometry.particles nor geometry.spacing_mm.
@@ -69,16 +69,16 @@ constexpr const char* name_of(Arrangement arrangement)
 struct GeometryOptions
 {
     Shape shape = Shape::sphere;
-    double radius_mm = 12.496;                            ///< sphere
-    std::array<double, 3> semi_axes_mm{15.0, 12.0, 10.0}; ///< ellipsoid
-    std::string file;                                     ///< closed triangulated surface, label volume or tet mesh
-    UnitOfLength unit = UnitOfLength::mm;                 ///< of a surface or tet mesh
-    Coordinates coordinates = Coordinates::scanner;       ///< of a surface or label volume with metadata
-    MaskOptions mask;                      ///< of a label volume: keys labels, image_volume, closing_mm, ...
-    Repair repair = Repair::none;          ///< of a surface that is not closed and embedded
-    RepairOptions wrap;                    ///< keys wrap_alpha_mm, wrap_offset_mm
-    std::optional<double> spacing_mm;      ///< either this
-    std::optional<std::int64_t> particles; ///< or this, or Options::elements
+    double radius_mm = 12.496;                              ///< sphere
+    std::array<double, 3> semi_axes_mm{15.0, 12.0, 10.0};   ///< ellipsoid
+    std::string file;                                       ///< closed triangulated surface, label volume or tet mesh
+    formats::UnitOfLength unit = formats::UnitOfLength::mm; ///< of a surface or tet mesh
+    formats::Coordinates coordinates = formats::Coordinates::scanner; ///< of a surface or label volume with metadata
+    imaging::MaskOptions mask;                        ///< of a label volume: keys labels, image_volume, closing_mm, ...
+    geometry::Repair repair = geometry::Repair::none; ///< of a surface that is not closed and embedded
+    geometry::RepairOptions wrap;                     ///< keys wrap_alpha_mm, wrap_offset_mm
+    std::optional<double> spacing_mm;                 ///< either this
+    std::optional<std::int64_t> particles;            ///< or this, or Options::elements
     std::int64_t seed = 1;
     Arrangement arrangement = Arrangement::body_fitted;
     VolumeRule volumes = VolumeRule::cells;
@@ -101,20 +101,21 @@ struct MapOptions
 };
 
 /// What making a body needs to know.
-struct PreparationOptions : SimulationOptions
+struct PreparationOptions : model::SimulationOptions
 {
     std::optional<std::int64_t> elements; ///< key solver.elements: about this many tets
     GeometryOptions geometry;
     MapOptions map;
-    ImperfectionOptions imperfection;
+    material::ImperfectionOptions imperfection;
 };
 
 /// Amplitude of the imperfection; where none is given, that of the built-in shapes, which are perfect. Bodies from
 /// files are imperfect as they are, and the thesis knows no imperfection.
 inline double imperfection_amplitude(const PreparationOptions& options)
 {
-    const bool is_perfect = options.geometry.shape != Shape::file && options.formulation == Formulation::corrected;
+    const bool is_perfect =
+        options.geometry.shape != Shape::file && options.formulation == thesis::Formulation::corrected;
     return options.imperfection.amplitude.value_or(is_perfect ? 0.05 : 0.0);
 }
 
-} // namespace corticle
+} // namespace corticle::prepare

@@ -19,28 +19,28 @@
 #include <numbers>
 #include <numeric>
 
-namespace corticle
+namespace corticle::prepare
 {
 
 namespace
 {
 
 /// Depth and normal of every place from the closest point of the surface.
-void set_depth(const SurfaceTree& tree, std::span<const Vec3> places, TissueFields& tissue)
+void set_depth(const geometry::SurfaceTree& tree, std::span<const Vec3> places, material::TissueFields& tissue)
 {
     tissue.depth.resize(places.size());
     tissue.normal.resize(places.size());
     parallel_for(std::ssize(places),
                  [&](std::int64_t i)
                  {
-                     const SurfacePoint nearest = tree.closest(places[i]);
+                     const geometry::SurfacePoint nearest = tree.closest(places[i]);
                      tissue.depth[i] = std::sqrt(nearest.squared_distance);
                      tissue.normal[i] = tree.interpolated_normal(nearest);
                  });
 }
 
 BodyMaps set_maps(const MapOptions& options, const TriangleMesh& map_surface, std::span<const Vec3> places,
-                  TissueFields& tissue)
+                  material::TissueFields& tissue)
 {
     BodyMaps maps = read_body_maps(options, map_surface, places);
     tissue.mapped_rate = std::move(maps.growth);
@@ -51,17 +51,17 @@ BodyMaps set_maps(const MapOptions& options, const TriangleMesh& map_surface, st
 }
 
 /// Nodes of tets as particles; the tets themselves become elements where the method asks for them.
-void take_nodes(const PreparationOptions& options, TetCloud nodes, Preparation& made)
+void take_nodes(const PreparationOptions& options, cloud::TetCloud nodes, Preparation& made)
 {
-    Model& model = made.model;
+    model::Model& model = made.model;
     model.cloud = std::move(nodes.cloud);
     model.surface = std::move(nodes.surface);
     made.report.remesh = nodes.remesh;
-    if (options.method == Method::fem)
+    if (options.method == model::Method::fem)
     {
         model.fem.emplace();
-        model.fem->elements =
-            make_elements(model.cloud.positions, ordered_tets(model.cloud.positions, nodes.tets), model.cloud.spacing);
+        model.fem->elements = fem::make_elements(
+            model.cloud.positions, fem::ordered_tets(model.cloud.positions, nodes.tets), model.cloud.spacing);
         return;
     }
     std::ranges::move(nodes.warnings, std::back_inserter(made.report.warnings));
@@ -70,21 +70,22 @@ void take_nodes(const PreparationOptions& options, TetCloud nodes, Preparation& 
 /// Surface and particles or tets of the options' arrangement; the surface's vertices are particles.
 void set_cloud(const PreparationOptions& options, const BodySource& source, Preparation& made)
 {
-    Model& model = made.model;
+    model::Model& model = made.model;
     const GeometryOptions& geometry = options.geometry;
     const auto [spacing, particles] = resolve_resolution(options, source.volume, source.area);
     if (geometry.arrangement == Arrangement::body_fitted || geometry.arrangement == Arrangement::mesh_nodes)
     {
-        model.surface = geometry.shape == Shape::file
-                            ? remesh_isotropic(source.surface, edge_per_spacing * spacing, &made.report.remesh)
-                            : make_ellipsoid(semi_axes(geometry), edge_per_spacing * spacing);
-        if (options.method == Method::tlsph && geometry.arrangement == Arrangement::body_fitted)
+        model.surface =
+            geometry.shape == Shape::file
+                ? geometry::remesh_isotropic(source.surface, cloud::edge_per_spacing * spacing, &made.report.remesh)
+                : geometry::make_ellipsoid(semi_axes(geometry), cloud::edge_per_spacing * spacing);
+        if (options.method == model::Method::tlsph && geometry.arrangement == Arrangement::body_fitted)
         {
-            model.cloud = fill_surface(model.surface, {spacing, static_cast<std::uint64_t>(geometry.seed)});
+            model.cloud = cloud::fill_surface(model.surface, {spacing, static_cast<std::uint64_t>(geometry.seed)});
             return;
         }
-        const RemeshReport remesh = made.report.remesh;
-        take_nodes(options, cloud_from_tets(tetrahedralize(model.surface, particles)), made);
+        const geometry::RemeshReport remesh = made.report.remesh;
+        take_nodes(options, cloud::cloud_from_tets(geometry::tetrahedralize(model.surface, particles)), made);
         made.report.remesh = remesh;
         return;
     }
@@ -94,34 +95,34 @@ void set_cloud(const PreparationOptions& options, const BodySource& source, Prep
                                      "is none; expected a tet mesh, or arrangement = \"body_fitted\"",
                                      name_of(geometry.arrangement), geometry.file));
     }
-    TetCloudOptions chosen;
+    cloud::TetCloudOptions chosen;
     chosen.seed = static_cast<std::uint64_t>(geometry.seed);
-    chosen.thinning = geometry.arrangement == Arrangement::thinned ? Thinning::uniform : Thinning::random;
+    chosen.thinning = geometry.arrangement == Arrangement::thinned ? cloud::Thinning::uniform : cloud::Thinning::random;
     if (geometry.arrangement != Arrangement::tet_nodes)
     {
         chosen.particles = particles;
     }
-    take_nodes(options, cloud_from_tets(*source.tets, chosen), made);
+    take_nodes(options, cloud::cloud_from_tets(*source.tets, chosen), made);
 }
 
 /// Regional growth as it is mapped, times the imperfection. @param thickness  of the cortex [mm]
 void set_regional_rate(const PreparationOptions& options, double thickness, std::span<const Vec3> places,
-                       TissueFields& tissue)
+                       material::TissueFields& tissue)
 {
     tissue.regional_rate = tissue.mapped_rate;
     const double amplitude = imperfection_amplitude(options);
     if (amplitude > 0.0)
     {
-        const ImperfectionOptions& band = options.imperfection;
-        const RandomWaves waves(static_cast<std::uint64_t>(band.seed), band.shortest * thickness,
-                                band.longest * thickness);
-        apply_imperfection(waves, amplitude, places, tissue);
+        const material::ImperfectionOptions& band = options.imperfection;
+        const material::RandomWaves waves(static_cast<std::uint64_t>(band.seed), band.shortest * thickness,
+                                          band.longest * thickness);
+        material::apply_imperfection(waves, amplitude, places, tissue);
     }
 }
 
 /// What is left to know of the tissue: volumes, and the cortex where it does not follow from the depth.
 void complete_tissue(const PreparationOptions& options, std::span<const Vec3> nodes, std::span<const Vec3> places,
-                     std::vector<double> volumes, TissueFields& tissue)
+                     std::vector<double> volumes, material::TissueFields& tissue)
 {
     tissue.volume = std::move(volumes);
     if (!has_layer_by_lambda(options))
@@ -136,25 +137,25 @@ void complete_tissue(const PreparationOptions& options, std::span<const Vec3> no
 
 void connect_particles(const PreparationOptions& options, Preparation& made)
 {
-    Model& model = made.model;
-    const SurfaceTree tree(model.surface.vertices, model.surface.triangles);
-    const double support = support_mm(options.tlsph, model.cloud.spacing);
+    model::Model& model = made.model;
+    const geometry::SurfaceTree tree(model.surface.vertices, model.surface.triangles);
+    const double support = tlsph::support_mm(options.tlsph, model.cloud.spacing);
     const Neighbors pairs = options.tlsph.kernel_mm > 0.0
-                                ? find_pairs_within(model.cloud.positions, support)
-                                : find_neighbors(model.cloud, tree, support, &made.report.visibility);
+                                ? cloud::find_pairs_within(model.cloud.positions, support)
+                                : cloud::find_neighbors(model.cloud, tree, support, &made.report.visibility);
     made.report.neighbors_mean =
         static_cast<double>(pairs.index.size()) / static_cast<double>(model.cloud.positions.size());
-    model.particles = make_particles(model.cloud, pairs, options.tlsph);
+    model.particles = tlsph::make_particles(model.cloud, pairs, options.tlsph);
 }
 
 /// Where the cortex is `thickness` thick by the case, in the reference state at growth time t [mm].
 double thickness_at(const PreparationOptions& options, double thickness, double t)
 {
-    return (thickness + options.tissue.thickness_rate_mm * t) / cortex_size(options).scale(t);
+    return (thickness + options.tissue.thickness_rate_mm * t) / model::cortex_size(options).scale(t);
 }
 
 /// Smallest thickness of the cortex during the run [mm in the reference state].
-double least_thickness(const PreparationOptions& options, const Model& model)
+double least_thickness(const PreparationOptions& options, const model::Model& model)
 {
     if (has_layer_by_lambda(options))
     {
@@ -168,7 +169,7 @@ double least_thickness(const PreparationOptions& options, const Model& model)
 }
 
 /// Mean thickness of the cortex as the run begins, wherever it ends [mm in the reference state].
-double mean_thickness(const PreparationOptions& options, const Model& model)
+double mean_thickness(const PreparationOptions& options, const model::Model& model)
 {
     if (has_layer_by_lambda(options))
     {
@@ -183,25 +184,24 @@ double mean_thickness(const PreparationOptions& options, const Model& model)
 
 } // namespace
 
-double estimated_memory(Method method, double particles, double neighbors)
+double estimated_memory(model::Method method, double particles, double neighbors)
 {
     constexpr double bytes_per_pair = 6.0;
     constexpr double bytes_per_particle = 960.0; // at an output time, when it takes the most
     constexpr double bytes_per_tet = 240.0;
     constexpr double tets_per_node = 6.0;
     constexpr double base = 360e6; // the program and its picture library
-    const double links = method == Method::fem ? tets_per_node * bytes_per_tet : neighbors * bytes_per_pair;
+    const double links = method == model::Method::fem ? tets_per_node * bytes_per_tet : neighbors * bytes_per_pair;
     return base + particles * (bytes_per_particle + links);
 }
 
 Resolution resolve_resolution(const PreparationOptions& options, double volume_mm3, double area_mm2)
 {
     const GeometryOptions& geometry = options.geometry;
-    const double count =
-        geometry.spacing_mm ? volume_mm3 / std::pow(*geometry.spacing_mm, 3)
-        : options.elements
-            ? static_cast<double>(nodes_for_tets(*options.elements, volume_mm3, area_mm2, edge_per_spacing))
-            : static_cast<double>(geometry.particles.value_or(default_particles));
+    const double count = geometry.spacing_mm ? volume_mm3 / std::pow(*geometry.spacing_mm, 3)
+                         : options.elements  ? static_cast<double>(geometry::nodes_for_tets(
+                                                   *options.elements, volume_mm3, area_mm2, cloud::edge_per_spacing))
+                                             : static_cast<double>(geometry.particles.value_or(default_particles));
     const double spacing = std::cbrt(volume_mm3 / count);
     const std::string asked =
         geometry.spacing_mm ? fmt::format("geometry.spacing_mm = {:g}", *geometry.spacing_mm)
@@ -214,9 +214,9 @@ Resolution resolve_resolution(const PreparationOptions& options, double volume_m
             volume_mm3, fewest_particles, most_particles, std::cbrt(volume_mm3 / static_cast<double>(most_particles)),
             std::cbrt(volume_mm3 / static_cast<double>(fewest_particles))));
     }
-    const double memory =
-        estimated_memory(options.method, count,
-                         4.0 / 3.0 * std::numbers::pi * std::pow(support_mm(options.tlsph, spacing) / spacing, 3));
+    const double memory = estimated_memory(options.method, count,
+                                           4.0 / 3.0 * std::numbers::pi *
+                                               std::pow(tlsph::support_mm(options.tlsph, spacing) / spacing, 3));
     const double available = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
     if (memory > available)
     {
@@ -231,14 +231,14 @@ Preparation arrange_body(const PreparationOptions& options)
 {
     BodySource source = read_body_source(options.geometry);
     Preparation made;
-    Model& model = made.model;
+    model::Model& model = made.model;
     made.report.source = source.kind;
     made.report.notes = std::move(source.notes);
     made.report.warnings = std::move(source.warnings);
     made.report.inputs = std::move(source.reports);
     made.report.input_vertices = std::ssize(source.surface.vertices);
     set_cloud(options, source, made);
-    const SurfaceTree tree(model.surface.vertices, model.surface.triangles);
+    const geometry::SurfaceTree tree(model.surface.vertices, model.surface.triangles);
     set_depth(tree, model.cloud.positions, model.tissue);
     for (const std::int32_t particle : model.cloud.surface_particles)
     {
@@ -250,7 +250,7 @@ Preparation arrange_body(const PreparationOptions& options)
     std::ranges::move(maps.warnings, std::back_inserter(made.report.warnings));
     if (model.fem)
     {
-        const std::vector<Vec3> places = centroids(model.cloud.positions, model.fem->elements.tets);
+        const std::vector<Vec3> places = fem::centroids(model.cloud.positions, model.fem->elements.tets);
         set_depth(tree, places, model.fem->tissue);
         set_maps(options.map, source.map_surface, places, model.fem->tissue);
     }
@@ -259,15 +259,15 @@ Preparation arrange_body(const PreparationOptions& options)
 
 void connect_body(const PreparationOptions& options, Preparation& made)
 {
-    Model& model = made.model;
+    model::Model& model = made.model;
     const std::vector<Vec3>& X = model.cloud.positions;
     const double mean = mean_thickness(options, model);
     set_regional_rate(options, mean, X, model.tissue);
     complete_tissue(options, X, X, model.cloud.volumes, model.tissue);
     if (model.fem)
     {
-        const TetElements& elements = model.fem->elements;
-        const std::vector<Vec3> places = centroids(X, elements.tets);
+        const fem::TetElements& elements = model.fem->elements;
+        const std::vector<Vec3> places = fem::centroids(X, elements.tets);
         set_regional_rate(options, mean, places, model.fem->tissue);
         complete_tissue(options, X, places, elements.volume, model.fem->tissue);
     }
@@ -296,4 +296,4 @@ Preparation prepare_body(const PreparationOptions& options)
     return made;
 }
 
-} // namespace corticle
+} // namespace corticle::prepare

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace corticle
+namespace corticle::prepare
 {
 
 /// What preparation did and found.
@@ -20,8 +20,8 @@ struct PreparationReport
     std::vector<std::string> notes;  ///< what was found in the input and done to it, one line each
     SourceReports inputs;            ///< the same in numbers
     std::int64_t input_vertices = 0; ///< of the input surface; 0 for built-in shapes
-    RemeshReport remesh;
-    VisibilityReport visibility;
+    geometry::RemeshReport remesh;
+    cloud::VisibilityReport visibility;
     double neighbors_mean = 0.0;
     std::vector<std::string> warnings; ///< one line each
 };
@@ -29,7 +29,7 @@ struct PreparationReport
 /// A body and how it was made.
 struct Preparation
 {
-    Model model;
+    model::Model model;
     PreparationReport report;
 };
 
@@ -53,6 +53,6 @@ void connect_body(const PreparationOptions& options, Preparation& made);
 Preparation prepare_body(const PreparationOptions& options);
 
 /// Rough memory of a run [bytes], from the number of particles or nodes and neighbours each.
-double estimated_memory(Method method, double particles, double neighbors);
+double estimated_memory(model::Method method, double particles, double neighbors);
 
-} // namespace corticle
+} // namespace corticle::prepare

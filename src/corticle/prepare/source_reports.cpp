@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace corticle
+namespace corticle::prepare
 {
 
 namespace
@@ -11,11 +11,11 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
-Json mask_json(const MaskReport& report)
+Json mask_json(const imaging::MaskReport& report)
 {
     Json j;
     j["steps"] = Json::array();
-    for (const MaskStep& step : report.steps)
+    for (const imaging::MaskStep& step : report.steps)
     {
         j["steps"].push_back({{"name", step.name},
                               {"added_voxels", step.added},
@@ -32,7 +32,7 @@ Json mask_json(const MaskReport& report)
     j["genus_before"] = report.genus_before;
     j["genus"] = report.genus;
     j["handles"] = Json::array();
-    for (const HandleChange& handle : report.handles)
+    for (const imaging::HandleChange& handle : report.handles)
     {
         j["handles"].push_back({{"place_mm", {handle.place.x, handle.place.y, handle.place.z}},
                                 {"voxels", handle.voxels},
@@ -41,7 +41,7 @@ Json mask_json(const MaskReport& report)
     return j;
 }
 
-Json repair_json(const RepairReport& report)
+Json repair_json(const geometry::RepairReport& report)
 {
     Json j;
     j["duplicate_vertices"] = report.duplicate_vertices;
@@ -68,7 +68,7 @@ Json repair_json(const RepairReport& report)
     return j;
 }
 
-Json tets_json(const TetReport& report)
+Json tets_json(const geometry::TetReport& report)
 {
     Json j;
     j["merged_nodes"] = report.merged_nodes;
@@ -102,4 +102,4 @@ std::string reports_json(const SourceReports& reports)
     return j.dump();
 }
 
-} // namespace corticle
+} // namespace corticle::prepare

@@ -8,18 +8,18 @@
 #include <optional>
 #include <string>
 
-namespace corticle
+namespace corticle::prepare
 {
 
 /// What the clean-up of the input found and did; one of these for a body from a file.
 struct SourceReports
 {
-    std::optional<MaskReport> mask;     ///< of a label volume
-    std::optional<RepairReport> repair; ///< of a surface
-    std::optional<TetReport> tets;      ///< of a tet mesh
+    std::optional<imaging::MaskReport> mask;      ///< of a label volume
+    std::optional<geometry::RepairReport> repair; ///< of a surface
+    std::optional<geometry::TetReport> tets;      ///< of a tet mesh
 };
 
 /// As a JSON object with one key, "mask", "repair" or "tets"; empty for a built-in shape.
 std::string reports_json(const SourceReports& reports);
 
-} // namespace corticle
+} // namespace corticle::prepare

@@ -10,17 +10,17 @@
 #include <cmath>
 #include <numeric>
 
-namespace corticle
+namespace corticle::prepare
 {
 
-void apply_thesis_choices(const PreparationOptions& options, Model& model)
+void apply_thesis_choices(const PreparationOptions& options, model::Model& model)
 {
     const GeometryOptions& geometry = options.geometry;
     const std::vector<Vec3>& X = model.cloud.positions;
     if (geometry.volumes == VolumeRule::neighbour_count)
     {
         const double total = std::accumulate(model.cloud.volumes.begin(), model.cloud.volumes.end(), 0.0);
-        model.cloud.volumes = neighbor_count_volumes(X, support_mm(options.tlsph, model.cloud.spacing), total);
+        model.cloud.volumes = neighbor_count_volumes(X, tlsph::support_mm(options.tlsph, model.cloud.spacing), total);
     }
     if (geometry.normals == NormalRule::divisions)
     {
@@ -31,7 +31,7 @@ void apply_thesis_choices(const PreparationOptions& options, Model& model)
 
 bool has_layer_by_lambda(const PreparationOptions& options)
 {
-    return options.tissue.layer == Layer::binary && options.tissue.lambda > 0.0;
+    return options.tissue.layer == material::Layer::binary && options.tissue.lambda > 0.0;
 }
 
 std::vector<double> layer_by_lambda(const PreparationOptions& options, std::span<const Vec3> nodes,
@@ -46,11 +46,11 @@ std::vector<double> layer_by_lambda(const PreparationOptions& options, std::span
     return ellipsoid_layer(places, volumes, semi_axes(options.geometry), lambda);
 }
 
-double thickness_by_lambda(const PreparationOptions& options, const Model& model)
+double thickness_by_lambda(const PreparationOptions& options, const model::Model& model)
 {
     const auto axes =
         options.geometry.shape == Shape::file ? fitted_semi_axes(model.cloud.positions) : semi_axes(options.geometry);
     return (1.0 - std::sqrt(options.tissue.lambda)) * *std::min_element(axes.begin(), axes.end());
 }
 
-} // namespace corticle
+} // namespace corticle::prepare

@@ -4,13 +4,13 @@
 #include "corticle/model/model.hpp"
 #include "corticle/prepare/options.hpp"
 
-namespace corticle
+namespace corticle::prepare
 {
 
 // What the thesis does its own way in preparing a body, where the options ask for it.
 
 /// Volumes and normals of the thesis.
-void apply_thesis_choices(const PreparationOptions& options, Model& model);
+void apply_thesis_choices(const PreparationOptions& options, model::Model& model);
 
 /// Whether the cortex is that of thesis eq. 24.
 bool has_layer_by_lambda(const PreparationOptions& options);
@@ -20,6 +20,6 @@ std::vector<double> layer_by_lambda(const PreparationOptions& options, std::span
                                     std::span<const Vec3> places, std::span<const double> volumes);
 
 /// Thickness of that cortex, along the shortest semi-axis [mm].
-double thickness_by_lambda(const PreparationOptions& options, const Model& model);
+double thickness_by_lambda(const PreparationOptions& options, const model::Model& model);
 
-} // namespace corticle
+} // namespace corticle::prepare

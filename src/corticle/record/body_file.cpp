@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace corticle
+namespace corticle::record
 {
 
 namespace
@@ -57,7 +57,7 @@ std::vector<std::array<std::int32_t, size>> polygons_of(std::span<const std::int
 }
 
 /// @param prefix  "body." for the nodes, "body.tet_" for the elements
-void store_tissue(const TissueFields& tissue, const std::string& prefix, Checkpoint& image)
+void store_tissue(const material::TissueFields& tissue, const std::string& prefix, Checkpoint& image)
 {
     image.vectors[prefix + "normal"] = tissue.normal;
     image.scalars[prefix + "depth"] = tissue.depth;
@@ -67,9 +67,10 @@ void store_tissue(const TissueFields& tissue, const std::string& prefix, Checkpo
     image.scalars[prefix + "thickness"] = tissue.thickness;
 }
 
-TissueFields stored_tissue(const Checkpoint& image, const std::string& prefix, const std::filesystem::path& file)
+material::TissueFields stored_tissue(const Checkpoint& image, const std::string& prefix,
+                                     const std::filesystem::path& file)
 {
-    TissueFields tissue;
+    material::TissueFields tissue;
     tissue.normal = array_of(image.vectors, prefix + "normal", file);
     tissue.depth = array_of(image.scalars, prefix + "depth", file);
     tissue.mapped_rate = array_of(image.scalars, prefix + "regional_rate", file);
@@ -81,12 +82,12 @@ TissueFields stored_tissue(const Checkpoint& image, const std::string& prefix, c
 
 } // namespace
 
-void write_body(const std::filesystem::path& file, const Preparation& made, const Options& options)
+void write_body(const std::filesystem::path& file, const prepare::Preparation& made, const config::Options& options)
 {
-    const Model& model = made.model;
+    const model::Model& model = made.model;
     Checkpoint image;
     image.program_version = program_version();
-    image.case_text = to_toml(options);
+    image.case_text = config::to_toml(options);
     image.vectors["body.position"] = model.cloud.positions;
     store_tissue(model.tissue, "body.", image);
     image.vectors["body.surface_vertex"] = model.surface.vertices;
@@ -105,14 +106,14 @@ void write_body(const std::filesystem::path& file, const Preparation& made, cons
     write_checkpoint(file, image);
 }
 
-Preparation read_body(const std::filesystem::path& file, const Options& options)
+prepare::Preparation read_body(const std::filesystem::path& file, const config::Options& options)
 {
     const Checkpoint image = read_checkpoint(file);
     const auto vectors = [&](const std::string& name) { return array_of(image.vectors, "body." + name, file); };
     const auto scalars = [&](const std::string& name) { return array_of(image.scalars, "body." + name, file); };
     const auto integers = [&](const std::string& name) { return array_of(image.integers, "body." + name, file); };
-    Preparation made;
-    Model& model = made.model;
+    prepare::Preparation made;
+    model::Model& model = made.model;
     model.cloud.positions = vectors("position");
     model.cloud.volumes = scalars("volume");
     model.cloud.spacing = scalars("spacing").at(0);
@@ -124,18 +125,18 @@ Preparation read_body(const std::filesystem::path& file, const Options& options)
     const std::vector<double> remesh = scalars("remesh");
     made.report.remesh = {remesh.at(0), remesh.at(1), remesh.at(2)};
     made.report.input_vertices = integers("input_vertices").at(0);
-    const std::vector<std::string> differences = differing_body_keys(image.case_text, to_toml(options));
+    const std::vector<std::string> differences = config::differing_body_keys(image.case_text, config::to_toml(options));
     if (!differences.empty())
     {
         throw InputError(
             fmt::format("{}: this body was made from another case: {}; expected the same [geometry], [map] and method",
                         file.string(), fmt::join(differences, ", ")));
     }
-    if (options.method == Method::fem)
+    if (options.method == model::Method::fem)
     {
-        model.fem =
-            ElementModel{make_elements(model.cloud.positions, polygons_of<4>(integers("tet")), model.cloud.spacing),
-                         stored_tissue(image, "body.tet_", file)};
+        model.fem = model::ElementModel{
+            fem::make_elements(model.cloud.positions, polygons_of<4>(integers("tet")), model.cloud.spacing),
+            stored_tissue(image, "body.tet_", file)};
     }
     made.report.source = "body file";
     made.report.notes = {"read from " + file.string()};
@@ -148,4 +149,4 @@ Preparation read_body(const std::filesystem::path& file, const Options& options)
     return made;
 }
 
-} // namespace corticle
+} // namespace corticle::record

@@ -6,15 +6,15 @@
 
 #include <filesystem>
 
-namespace corticle
+namespace corticle::record
 {
 
 /// Writes an arranged body and the case it was made from, whole or not at all. @throws RunError
-void write_body(const std::filesystem::path& file, const Preparation& made, const Options& options);
+void write_body(const std::filesystem::path& file, const prepare::Preparation& made, const config::Options& options);
 
 /// An arranged body as write_body left it, bit for bit; connect_body makes it ready.
 /// @throws InputError when it is not a body file, or was made from other keys of [geometry] or [map], or by another
 /// method
-Preparation read_body(const std::filesystem::path& file, const Options& options);
+prepare::Preparation read_body(const std::filesystem::path& file, const config::Options& options);
 
-} // namespace corticle
+} // namespace corticle::record

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace corticle
+namespace corticle::record
 {
 
 namespace
@@ -56,38 +56,39 @@ void write_checkpoint(const std::filesystem::path& file, const Checkpoint& check
     }
     const std::string block = user_block(std::string_view(bytes).substr(block_size));
     bytes.replace(0, block_size, block);
-    write_text_atomically(file, bytes);
-    flush_names(file.parent_path());
+    formats::write_text_atomically(file, bytes);
+    formats::flush_names(file.parent_path());
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& file)
 {
-    const std::string bytes = read_whole_file(file);
+    const std::string bytes = formats::read_whole_file(file);
     const std::string name = file.string();
     if (bytes.size() < block_size || bytes.compare(0, magic.size(), magic) != 0)
     {
-        fail_reading(name, "not a checkpoint of this program",
-                     fmt::format("{} bytes that begin otherwise", bytes.size()), "a checkpoint.h5 of format 1");
+        formats::fail_reading(name, "not a checkpoint of this program",
+                              fmt::format("{} bytes that begin otherwise", bytes.size()),
+                              "a checkpoint.h5 of format 1");
     }
     const std::string_view image = std::string_view(bytes).substr(block_size);
     std::string_view announced = std::string_view(bytes).substr(magic.size(), block_size - magic.size());
     std::uint64_t size = 0;
-    if (!to_number(take_word(announced), size) || size != image.size())
+    if (!formats::to_number(formats::take_word(announced), size) || size != image.size())
     {
-        fail_reading(name, "truncated checkpoint", fmt::format("{} bytes of data", image.size()),
-                     fmt::format("{}", size));
+        formats::fail_reading(name, "truncated checkpoint", fmt::format("{} bytes of data", image.size()),
+                              fmt::format("{}", size));
     }
     if (std::string_view(bytes).substr(0, block_size) != user_block(image))
     {
-        fail_reading(name, "damaged checkpoint", "data that do not match their checksum",
-                     "a checkpoint as it was written");
+        formats::fail_reading(name, "damaged checkpoint", "data that do not match their checksum",
+                              "a checkpoint as it was written");
     }
     Checkpoint checkpoint;
     if (!parse_checkpoint_image(image, checkpoint))
     {
-        fail_reading(name, "damaged checkpoint", "data HDF5 cannot read", "a checkpoint as it was written");
+        formats::fail_reading(name, "damaged checkpoint", "data HDF5 cannot read", "a checkpoint as it was written");
     }
     return checkpoint;
 }
 
-} // namespace corticle
+} // namespace corticle::record

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace corticle
+namespace corticle::record
 {
 
 /// All that a run needs, besides its case, to go on to the same bits.
@@ -29,4 +29,4 @@ void write_checkpoint(const std::filesystem::path& file, const Checkpoint& check
 /// kept) or not one of ours.
 Checkpoint read_checkpoint(const std::filesystem::path& file);
 
-} // namespace corticle
+} // namespace corticle::record

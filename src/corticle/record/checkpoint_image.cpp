@@ -6,7 +6,7 @@
 #include <array>
 #include <stdexcept>
 
-namespace corticle
+namespace corticle::record
 {
 
 namespace
@@ -249,4 +249,4 @@ bool parse_checkpoint_image(std::string_view image, Checkpoint& checkpoint)
     }
 }
 
-} // namespace corticle
+} // namespace corticle::record

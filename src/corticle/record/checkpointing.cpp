@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-namespace corticle
+namespace corticle::record
 {
 
 namespace
@@ -18,7 +18,7 @@ constexpr std::size_t clock_size = 9;
 constexpr std::size_t counters_size = 4;
 constexpr std::string_view history_prefix = "history.";
 
-std::string column_name(const MeasureColumn& column)
+std::string column_name(const metrics::MeasureColumn& column)
 {
     return "measures." + std::string(column.key);
 }
@@ -35,7 +35,7 @@ class Entries
     }
     const std::vector<double>& clock() const { return entry(checkpoint_.scalars, "clock", clock_size); }
     const std::vector<std::int64_t>& counters() const { return entry(checkpoint_.integers, "counters", counters_size); }
-    const std::vector<double>& column(const MeasureColumn& column) const
+    const std::vector<double>& column(const metrics::MeasureColumn& column) const
     {
         return entry(checkpoint_.scalars, column_name(column), static_cast<std::size_t>(counters()[3]));
     }
@@ -48,11 +48,11 @@ class Entries
         if (found == map.end() || found->second.size() != size)
         {
             const std::string& writer = checkpoint_.program_version;
-            fail_reading(file_,
-                         fmt::format("a checkpoint that version {} wrote and this one cannot go on from",
-                                     writer.empty() ? "unknown" : writer),
-                         fmt::format("{} values of {}", found == map.end() ? 0 : found->second.size(), name),
-                         fmt::format("{}, as version {} writes them", size, program_version()));
+            formats::fail_reading(file_,
+                                  fmt::format("a checkpoint that version {} wrote and this one cannot go on from",
+                                              writer.empty() ? "unknown" : writer),
+                                  fmt::format("{} values of {}", found == map.end() ? 0 : found->second.size(), name),
+                                  fmt::format("{}, as version {} writes them", size, program_version()));
         }
         return found->second;
     }
@@ -73,8 +73,8 @@ std::string versions_after(const std::string& earlier)
     return earlier == now || earlier.ends_with(", " + now) ? earlier : earlier + ", " + now;
 }
 
-Checkpoint to_checkpoint(const State& state, std::span<const Measures> rows, const std::string& case_text,
-                         const std::string& versions)
+Checkpoint to_checkpoint(const model::State& state, std::span<const metrics::Measures> rows,
+                         const std::string& case_text, const std::string& versions)
 {
     Checkpoint checkpoint;
     checkpoint.program_version = versions;
@@ -96,10 +96,10 @@ Checkpoint to_checkpoint(const State& state, std::span<const Measures> rows, con
     {
         checkpoint.scalars[std::string(history_prefix) + name] = values;
     }
-    for (const MeasureColumn& column : measure_columns())
+    for (const metrics::MeasureColumn& column : metrics::measure_columns())
     {
         std::vector<double>& values = checkpoint.scalars[column_name(column)];
-        for (const Measures& row : rows)
+        for (const metrics::Measures& row : rows)
         {
             values.push_back(column.of(row));
         }
@@ -110,7 +110,7 @@ Checkpoint to_checkpoint(const State& state, std::span<const Measures> rows, con
 double reached_time(const Checkpoint& checkpoint, const std::string& file)
 {
     const Entries entries(checkpoint, file);
-    for (const MeasureColumn& column : measure_columns())
+    for (const metrics::MeasureColumn& column : metrics::measure_columns())
     {
         entries.column(column);
     }
@@ -121,7 +121,7 @@ Restored from_checkpoint(const Checkpoint& checkpoint, std::size_t particles, co
 {
     const Entries entries(checkpoint, file);
     Restored restored;
-    State& state = restored.state;
+    model::State& state = restored.state;
     state.motion.x = entries.vectors("position", particles);
     state.motion.v = entries.vectors("velocity", particles);
     const std::vector<double>& clock = entries.clock();
@@ -145,7 +145,7 @@ Restored from_checkpoint(const Checkpoint& checkpoint, std::size_t particles, co
         }
     }
     restored.rows.resize(static_cast<std::size_t>(counters[3]));
-    for (const MeasureColumn& column : measure_columns())
+    for (const metrics::MeasureColumn& column : metrics::measure_columns())
     {
         const std::vector<double>& values = entries.column(column);
         for (std::size_t k = 0; k < values.size(); ++k)
@@ -156,4 +156,4 @@ Restored from_checkpoint(const Checkpoint& checkpoint, std::size_t particles, co
     return restored;
 }
 
-} // namespace corticle
+} // namespace corticle::record

@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <utility>
 
-namespace corticle
+namespace corticle::record
 {
 
 std::optional<FolderLock> FolderLock::try_lock(const std::filesystem::path& folder)
@@ -37,4 +37,4 @@ FolderLock::~FolderLock()
     }
 }
 
-} // namespace corticle
+} // namespace corticle::record

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-namespace corticle
+namespace corticle::record
 {
 
 /// Keeps other processes from writing into a folder for as long as it lives (flock on the folder itself: it ends with
@@ -25,4 +25,4 @@ class FolderLock
     int descriptor_;
 };
 
-} // namespace corticle
+} // namespace corticle::record

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace corticle
+namespace corticle::record
 {
 
 namespace
@@ -24,7 +24,7 @@ struct ParticleArrays
     std::vector<double> normal;       ///< 3 a particle
 };
 
-double growth_at(const Simulation& simulation, std::size_t i)
+double growth_at(const model::Simulation& simulation, std::size_t i)
 {
     return simulation.tissue().point(i, simulation.state().t).growth;
 }
@@ -39,9 +39,9 @@ std::vector<double> times(std::span<const double> values, double factor)
     return result;
 }
 
-ParticleArrays particle_arrays(const Simulation& simulation, const Frame& frame)
+ParticleArrays particle_arrays(const model::Simulation& simulation, const Frame& frame)
 {
-    const TissueFields& tissue = simulation.model().tissue;
+    const material::TissueFields& tissue = simulation.model().tissue;
     const std::vector<Mat3>& F = frame.F;
     const std::size_t count = F.size();
     ParticleArrays a{std::vector<double>(count), std::vector<double>(9 * count), std::vector<double>(9 * count),
@@ -50,7 +50,7 @@ ParticleArrays particle_arrays(const Simulation& simulation, const Frame& frame)
                  [&](std::int64_t signed_i)
                  {
                      const auto i = static_cast<std::size_t>(signed_i);
-                     const Mat3 sigma = cauchy_stress_at(simulation, i, F[i]);
+                     const Mat3 sigma = model::cauchy_stress_at(simulation, i, F[i]);
                      const Vec3 u = frame.particles[i] - frame.origins[i];
                      a.J[i] = determinant(F[i]);
                      for (int row = 0; row < 3; ++row)
@@ -75,18 +75,18 @@ double mean_spacing(std::span<const double> volumes)
     return std::cbrt(std::accumulate(volumes.begin(), volumes.end(), 0.0) / static_cast<double>(volumes.size()));
 }
 
-Frame make_frame(const OutputView& view, const SurfaceArrays& arrays, std::string name)
+Frame make_frame(const model::OutputView& view, const metrics::SurfaceArrays& arrays, std::string name)
 {
-    const Simulation& simulation = view.simulation;
-    const PhysicalScale& scale = view.scale;
+    const model::Simulation& simulation = view.simulation;
+    const model::PhysicalScale& scale = view.scale;
     const Cloud& cloud = simulation.model().cloud;
     Frame frame;
     frame.t = simulation.state().t;
     frame.week = scale.week;
     frame.length_scale = scale.length;
     frame.name = std::move(name);
-    frame.particles = scaled(simulation.state().motion.x, scale.length);
-    frame.origins = scaled(cloud.positions, scale.length);
+    frame.particles = model::scaled(simulation.state().motion.x, scale.length);
+    frame.origins = model::scaled(cloud.positions, scale.length);
     frame.F = view.F;
     frame.spacing = mean_spacing(cloud.volumes) * scale.length;
     frame.theta = simulation.state().nodes.theta;
@@ -105,40 +105,46 @@ Frame make_frame(const OutputView& view, const SurfaceArrays& arrays, std::strin
     return frame;
 }
 
-void write_frame(const std::filesystem::path& folder, const OutputView& view, const Frame& frame,
-                 const SurfaceArrays& arrays)
+void write_frame(const std::filesystem::path& folder, const model::OutputView& view, const Frame& frame,
+                 const metrics::SurfaceArrays& arrays)
 {
-    const Simulation& simulation = view.simulation;
+    const model::Simulation& simulation = view.simulation;
     const Cloud& cloud = simulation.model().cloud;
-    const TissueFields& tissue = simulation.model().tissue;
+    const material::TissueFields& tissue = simulation.model().tissue;
     const ParticleArrays a = particle_arrays(simulation, frame);
     const std::vector<double> depth = times(tissue.depth, frame.length_scale);
     const std::vector<double> volume = times(cloud.volumes, std::pow(frame.length_scale, 3));
     std::vector<std::int32_t> ids(frame.particles.size());
     std::iota(ids.begin(), ids.end(), 0);
-    const std::vector particle_fields{
-        Field{"J", 1, a.J},       Field{"theta", 1, frame.theta}, Field{"growth", 1, frame.particle_growth},
-        Field{"F", 9, a.F},       Field{"stress", 9, a.stress},   Field{"displacement", 3, a.displacement},
-        Field{"depth", 1, depth}, Field{"normal", 3, a.normal},   Field{"volume", 1, volume}};
-    write_particles_vtu(folder / ("particles_" + frame.name + ".vtu"), frame.particles, ids, particle_fields);
+    const std::vector particle_fields{formats::Field{"J", 1, a.J},
+                                      formats::Field{"theta", 1, frame.theta},
+                                      formats::Field{"growth", 1, frame.particle_growth},
+                                      formats::Field{"F", 9, a.F},
+                                      formats::Field{"stress", 9, a.stress},
+                                      formats::Field{"displacement", 3, a.displacement},
+                                      formats::Field{"depth", 1, depth},
+                                      formats::Field{"normal", 3, a.normal},
+                                      formats::Field{"volume", 1, volume}};
+    formats::write_particles_vtu(folder / ("particles_" + frame.name + ".vtu"), frame.particles, ids, particle_fields);
 
     const std::vector<double> id(cloud.surface_particles.begin(), cloud.surface_particles.end());
     const std::vector<double> theta = surface_values(cloud, frame.theta);
     const std::vector<double> displacement = surface_values(cloud, a.displacement, 3);
-    const Curvature& curvature = arrays.folds.curvature;
-    const std::vector surface_fields{Field{"J", 1, frame.surface_J},
-                                     Field{"theta", 1, theta},
-                                     Field{"growth", 1, frame.surface_growth},
-                                     Field{"displacement", 3, displacement},
-                                     Field{"mean_curvature", 1, curvature.mean},
-                                     Field{"gaussian_curvature", 1, curvature.gaussian},
-                                     Field{"shape_index", 1, curvature.shape_index},
-                                     Field{"curvedness", 1, curvature.curvedness},
-                                     Field{"sulcal_depth", 1, arrays.folds.sulcal_depth},
-                                     Field{"local_gyrification", 1, arrays.folds.local_gyrification},
-                                     Field{"thickness", 1, arrays.thickness},
-                                     Field{"id", 1, id}};
-    write_surface_vtp(folder / ("surface_" + frame.name + ".vtp"), frame.surface, frame.triangles, surface_fields);
+    const metrics::Curvature& curvature = arrays.folds.curvature;
+    const std::vector surface_fields{formats::Field{"J", 1, frame.surface_J},
+                                     formats::Field{"theta", 1, theta},
+                                     formats::Field{"growth", 1, frame.surface_growth},
+                                     formats::Field{"displacement", 3, displacement},
+                                     formats::Field{"mean_curvature", 1, curvature.mean},
+                                     formats::Field{"gaussian_curvature", 1, curvature.gaussian},
+                                     formats::Field{"shape_index", 1, curvature.shape_index},
+                                     formats::Field{"curvedness", 1, curvature.curvedness},
+                                     formats::Field{"sulcal_depth", 1, arrays.folds.sulcal_depth},
+                                     formats::Field{"local_gyrification", 1, arrays.folds.local_gyrification},
+                                     formats::Field{"thickness", 1, arrays.thickness},
+                                     formats::Field{"id", 1, id}};
+    formats::write_surface_vtp(folder / ("surface_" + frame.name + ".vtp"), frame.surface, frame.triangles,
+                               surface_fields);
 }
 
-} // namespace corticle
+} // namespace corticle::record

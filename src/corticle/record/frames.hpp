@@ -9,7 +9,7 @@
 
 #include <filesystem>
 
-namespace corticle
+namespace corticle::record
 {
 
 /// One output time of a run, as its files hold it.
@@ -38,11 +38,11 @@ double mean_spacing(std::span<const double> volumes);
 
 /// The run at its present time, as its files show it: all lengths in mm at its week.
 /// @param scale  physical_scale(simulation)
-Frame make_frame(const OutputView& view, const SurfaceArrays& arrays, std::string name);
+Frame make_frame(const model::OutputView& view, const metrics::SurfaceArrays& arrays, std::string name);
 
 /// Writes surface_NAME.vtp (J, theta, growth, displacement, the arrays measured on the surface, id) and
 /// particles_NAME.vtu (J, theta, growth, F, stress, displacement, depth, normal, volume, id), each whole or not at all.
-void write_frame(const std::filesystem::path& folder, const OutputView& view, const Frame& frame,
-                 const SurfaceArrays& arrays);
+void write_frame(const std::filesystem::path& folder, const model::OutputView& view, const Frame& frame,
+                 const metrics::SurfaceArrays& arrays);
 
-} // namespace corticle
+} // namespace corticle::record

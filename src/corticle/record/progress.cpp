@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-namespace corticle
+namespace corticle::record
 {
 
 namespace
@@ -14,14 +14,14 @@ namespace
 constexpr double redraw_s = 0.5;
 } // namespace
 
-Progress::Progress(const Simulation& simulation, double t_end, bool quiet)
+Progress::Progress(const model::Simulation& simulation, double t_end, bool quiet)
     : shown_(!quiet && isatty(STDERR_FILENO) == 1), t_end_(t_end),
       area_0_(surface_area(simulation.model().surface.vertices, simulation.model().surface.triangles)),
       drawn_at_(Clock::now()), t_drawn_(simulation.state().t), steps_drawn_(simulation.state().steps)
 {
 }
 
-void Progress::on_step(const Simulation& simulation)
+void Progress::on_step(const model::Simulation& simulation)
 {
     if (!shown_)
     {
@@ -32,7 +32,7 @@ void Progress::on_step(const Simulation& simulation)
     {
         return;
     }
-    const State& state = simulation.state();
+    const model::State& state = simulation.state();
     const std::vector<Vec3> x = simulation.surface_positions();
     const double left = (t_end_ - state.t) / std::max((state.t - t_drawn_) / since, 1e-12);
     const int width = static_cast<int>(24.0 * state.t / t_end_);
@@ -56,4 +56,4 @@ void Progress::clear() const
     }
 }
 
-} // namespace corticle
+} // namespace corticle::record

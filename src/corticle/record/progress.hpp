@@ -5,21 +5,21 @@
 
 #include <chrono>
 
-namespace corticle
+namespace corticle::record
 {
 
 /// A line on the terminal that follows a run: t, step, steps per second, time left, area ratio, J range.
 /// Silent when stderr is not a terminal or `quiet` is set.
-class Progress final : public Observer
+class Progress final : public model::Observer
 {
   public:
-    Progress(const Simulation& simulation, double t_end, bool quiet);
+    Progress(const model::Simulation& simulation, double t_end, bool quiet);
 
     /// Redraws at most a few times a second.
-    void on_step(const Simulation& simulation) override;
+    void on_step(const model::Simulation& simulation) override;
     // Both end the line, so that other output starts on a fresh one.
-    void on_output(const OutputView& /*view*/) override { clear(); }
-    void on_end(const Simulation& /*simulation*/, RunStatus /*status*/) override { clear(); }
+    void on_output(const model::OutputView& /*view*/) override { clear(); }
+    void on_end(const model::Simulation& /*simulation*/, model::RunStatus /*status*/) override { clear(); }
 
   private:
     void clear() const;
@@ -33,4 +33,4 @@ class Progress final : public Observer
     std::int64_t steps_drawn_;
 };
 
-} // namespace corticle
+} // namespace corticle::record

@@ -13,7 +13,7 @@
 #include <array>
 #include <fstream>
 
-namespace corticle
+namespace corticle::record
 {
 
 namespace
@@ -34,8 +34,9 @@ double earlier_wall(const std::filesystem::path& folder)
 
 } // namespace
 
-Recorder::Recorder(const RunRequest& request, const PreparationReport& made, ResultFolder& folder, std::string versions,
-                   std::shared_ptr<spdlog::logger> log, Clock::time_point start, const Measuring& measuring)
+Recorder::Recorder(const RunRequest& request, const prepare::PreparationReport& made, ResultFolder& folder,
+                   std::string versions, std::shared_ptr<spdlog::logger> log, Clock::time_point start,
+                   const metrics::Measuring& measuring)
     : request_(request), made_(made), folder_(folder), versions_(std::move(versions)), log_(std::move(log)),
       start_(start), measuring_(measuring)
 {
@@ -47,7 +48,7 @@ void Recorder::resume(std::int64_t steps)
     wall_before_ = earlier_wall(request_.out);
 }
 
-void Recorder::on_output(const OutputView& view)
+void Recorder::on_output(const model::OutputView& view)
 {
     {
         const Stopwatch watch(output_s_);
@@ -60,9 +61,9 @@ void Recorder::on_output(const OutputView& view)
     log_output(view);
 }
 
-void Recorder::log_output(const OutputView& view)
+void Recorder::log_output(const model::OutputView& view)
 {
-    const Measures& row = measuring_.rows().back();
+    const metrics::Measures& row = measuring_.rows().back();
     log_->info("t = {:.4f}: step {}, area ratio {:.4f}, sphere index {:.4f}, hull index {:.4f}, J {:.3f} to "
                "{:.3f}, overlap {:.5f}",
                row.t, view.state().steps, row.area_ratio, row.gi_sphere, row.gi_hull, row.J_min, row.J_max,
@@ -74,17 +75,17 @@ void Recorder::log_output(const OutputView& view)
     }
 }
 
-void Recorder::summarize(const Simulation& simulation, const std::string& status, const std::string& reason)
+void Recorder::summarize(const model::Simulation& simulation, const std::string& status, const std::string& reason)
 {
-    const Measures last = measuring_.rows().empty() ? Measures{} : measuring_.rows().back();
-    write_text_atomically(request_.out / "summary.json",
-                          summary_json(simulation, made_, request_.options, last,
-                                       run_info(status, reason, simulation.state().steps - first_step_)));
+    const metrics::Measures last = measuring_.rows().empty() ? metrics::Measures{} : measuring_.rows().back();
+    formats::write_text_atomically(request_.out / "summary.json",
+                                   summary_json(simulation, made_, request_.options, last,
+                                                run_info(status, reason, simulation.state().steps - first_step_)));
     log_->info("{} at t = {:.6g} after {} steps, {:.1f} s", status, simulation.state().t, simulation.state().steps,
                wall_before_ + seconds_since(start_));
 }
 
-void Recorder::record_failure(const Simulation* simulation, const std::string& reason)
+void Recorder::record_failure(const model::Simulation* simulation, const std::string& reason)
 {
     log_->info("failed: {}", reason);
     try
@@ -94,7 +95,8 @@ void Recorder::record_failure(const Simulation* simulation, const std::string& r
             summarize(*simulation, "failed", reason);
             return;
         }
-        write_text_atomically(request_.out / "summary.json", summary_without_state_json(run_info("failed", reason, 0)));
+        formats::write_text_atomically(request_.out / "summary.json",
+                                       summary_without_state_json(run_info("failed", reason, 0)));
     }
     catch (const std::exception&)
     {
@@ -109,4 +111,4 @@ RunInfo Recorder::run_info(const std::string& status, const std::string& reason,
             output_s_};
 }
 
-} // namespace corticle
+} // namespace corticle::record

@@ -16,11 +16,11 @@
 #include <string>
 #include <string_view>
 
-namespace corticle
+namespace corticle::record
 {
 
 /// Writes a run into its folder: frames and measures at output times, lines in run.log, and the summary.
-class Recorder final : public Observer
+class Recorder final : public model::Observer
 {
   public:
     using Clock = std::chrono::steady_clock;
@@ -29,34 +29,35 @@ class Recorder final : public Observer
     /// @param folder     locked; learns of every file before it is written
     /// @param versions   of the program, see versions_after()
     /// @param measuring  tells of the same outputs, before the recorder
-    Recorder(const RunRequest& request, const PreparationReport& made, ResultFolder& folder, std::string versions,
-             std::shared_ptr<spdlog::logger> log, Clock::time_point start, const Measuring& measuring);
+    Recorder(const RunRequest& request, const prepare::PreparationReport& made, ResultFolder& folder,
+             std::string versions, std::shared_ptr<spdlog::logger> log, Clock::time_point start,
+             const metrics::Measuring& measuring);
 
     /// Goes on with the wall time and the steps of an earlier session.
     void resume(std::int64_t steps);
 
-    void on_output(const OutputView& view) override;
+    void on_output(const model::OutputView& view) override;
 
     /// The frame of the last output.
     const Frame& frame() const { return frame_; }
     /// Wall time spent in files and pictures [s]; those who write beside the recorder add to it.
     double& output_seconds() { return output_s_; }
 
-    void summarize(const Simulation& simulation, const std::string& status, const std::string& reason = {});
+    void summarize(const model::Simulation& simulation, const std::string& status, const std::string& reason = {});
     /// The failure of a run; without a simulation one that failed before its first state.
-    void record_failure(const Simulation* simulation, const std::string& reason);
+    void record_failure(const model::Simulation* simulation, const std::string& reason);
 
   private:
     RunInfo run_info(const std::string& status, const std::string& reason, std::int64_t steps) const;
-    void log_output(const OutputView& view);
+    void log_output(const model::OutputView& view);
 
     const RunRequest& request_;
-    const PreparationReport& made_;
+    const prepare::PreparationReport& made_;
     ResultFolder& folder_;
     std::string versions_;
     std::shared_ptr<spdlog::logger> log_;
     Clock::time_point start_;
-    const Measuring& measuring_;
+    const metrics::Measuring& measuring_;
     double wall_before_ = 0.0; ///< of earlier sessions [s]
     std::int64_t first_step_ = 0;
     Frame frame_;
@@ -64,4 +65,4 @@ class Recorder final : public Observer
     std::set<std::string_view> warned_of_; ///< kinds that the terminal has heard of
 };
 
-} // namespace corticle
+} // namespace corticle::record

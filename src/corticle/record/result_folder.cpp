@@ -11,7 +11,7 @@
 #include <fstream>
 #include <vector>
 
-namespace corticle
+namespace corticle::record
 {
 
 namespace
@@ -209,7 +209,7 @@ void ResultFolder::claim(std::span<const std::string> files)
     {
         text += file + "\n";
     }
-    write_text_atomically(folder_ / list_name, text);
+    formats::write_text_atomically(folder_ / list_name, text);
 }
 
 void ResultFolder::remove_leftovers() const
@@ -225,7 +225,7 @@ void ResultFolder::remove_leftovers() const
         std::error_code error;
         for (const auto& item : fs::directory_iterator(place, error))
         {
-            const std::string target = target_of_temporary(item.path().filename().string());
+            const std::string target = formats::target_of_temporary(item.path().filename().string());
             const std::string file = ((place / target).lexically_relative(folder_)).string();
             if (!target.empty() && (file == list_name || has_written(file)) && item.is_regular_file(error))
             {
@@ -258,4 +258,4 @@ void ResultFolder::remove_written()
     files_.clear();
 }
 
-} // namespace corticle
+} // namespace corticle::record

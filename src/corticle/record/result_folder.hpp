@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-namespace corticle
+namespace corticle::record
 {
 
 /// A folder that a command writes its results to. A list in it (corticle-files.txt) names the files that the program
@@ -61,4 +61,4 @@ class ResultFolder
     std::set<std::string> files_;
 };
 
-} // namespace corticle
+} // namespace corticle::record

@@ -11,7 +11,7 @@
 
 #include <algorithm>
 
-namespace corticle
+namespace corticle::record
 {
 
 namespace
@@ -22,10 +22,10 @@ namespace fs = std::filesystem;
 constexpr double same_time = 1e-9;
 
 /// All files that a run may write.
-std::vector<std::string> planned_files(const Options& options)
+std::vector<std::string> planned_files(const config::Options& options)
 {
     std::vector<std::string> files = run_files();
-    if (options.output.pictures == PictureRule::on)
+    if (options.output.pictures == config::PictureRule::on)
     {
         files.emplace_back(measures_picture);
     }
@@ -108,7 +108,7 @@ std::optional<Checkpoint> find_checkpoint(const RunRequest& request, const std::
     }
     const auto require_same_case = [&](const std::string& earlier, std::string_view where)
     {
-        const std::vector<std::string> differences = differing_keys(earlier, case_text);
+        const std::vector<std::string> differences = config::differing_keys(earlier, case_text);
         if (!differences.empty())
         {
             throw InputError(fmt::format("--resume {}: the case differs from that of {} in {}; expected the same case",
@@ -128,19 +128,19 @@ std::optional<Checkpoint> find_checkpoint(const RunRequest& request, const std::
     if (fs::exists(case_file, error))
     {
         // Stopped before its first checkpoint: starts again, but only if it is the same run.
-        require_same_case(to_toml(read_case(case_file, {})), "its case.toml");
+        require_same_case(config::to_toml(config::read_case(case_file, {})), "its case.toml");
     }
     return std::nullopt;
 }
 
-std::vector<double> output_times(const Options& options)
+std::vector<double> output_times(const config::Options& options)
 {
     const double start = options.time.start;
     const double end = options.time.end;
     std::vector<double> chosen = options.output.times;
     for (const double week : options.output.weeks)
     {
-        chosen.push_back(growth_time(options.time.clock, week));
+        chosen.push_back(material::growth_time(options.time.clock, week));
     }
     std::vector<double> times{start};
     if (chosen.empty())
@@ -153,20 +153,21 @@ std::vector<double> output_times(const Options& options)
     else
     {
         std::copy_if(chosen.begin(), chosen.end(), std::back_inserter(times),
-                     [&](double t) { return t > start + same_output_time && t < end; });
+                     [&](double t) { return t > start + model::same_output_time && t < end; });
     }
     times.push_back(end);
     std::sort(times.begin(), times.end());
-    times.erase(std::unique(times.begin(), times.end(), [](double a, double b) { return b - a < same_output_time; }),
-                times.end());
+    times.erase(
+        std::unique(times.begin(), times.end(), [](double a, double b) { return b - a < model::same_output_time; }),
+        times.end());
     times.back() = end;
     return times;
 }
 
-std::vector<bool> picture_flags(const Options& options, std::span<const double> times)
+std::vector<bool> picture_flags(const config::Options& options, std::span<const double> times)
 {
     std::vector<bool> flags(times.size(), false);
-    if (options.output.pictures != PictureRule::on)
+    if (options.output.pictures != config::PictureRule::on)
     {
         return flags;
     }
@@ -183,7 +184,7 @@ std::string frame_name(std::size_t row)
     return fmt::format("{:04}", row);
 }
 
-void write_tables(const fs::path& folder, std::span<const Measures> rows)
+void write_tables(const fs::path& folder, std::span<const metrics::Measures> rows)
 {
     std::vector<std::pair<double, std::string>> surfaces;
     std::vector<std::pair<double, std::string>> particles;
@@ -192,9 +193,9 @@ void write_tables(const fs::path& folder, std::span<const Measures> rows)
         surfaces.emplace_back(rows[k].t, "surface_" + frame_name(k) + ".vtp");
         particles.emplace_back(rows[k].t, "particles_" + frame_name(k) + ".vtu");
     }
-    write_pvd(folder / "surface.pvd", surfaces);
-    write_pvd(folder / "particles.pvd", particles);
-    write_text_atomically(folder / "measures.csv", measures_csv(rows));
+    formats::write_pvd(folder / "surface.pvd", surfaces);
+    formats::write_pvd(folder / "particles.pvd", particles);
+    formats::write_text_atomically(folder / "measures.csv", metrics::measures_csv(rows));
 }
 
-} // namespace corticle
+} // namespace corticle::record

@@ -8,7 +8,7 @@
 
 #include <optional>
 
-namespace corticle
+namespace corticle::record
 {
 
 /// Where the plot of the measures lies in a run folder.
@@ -35,15 +35,15 @@ void require_usable_folder(const ResultFolder& folder, const RunRequest& request
 std::optional<Checkpoint> find_checkpoint(const RunRequest& request, const std::string& case_text);
 
 /// Output times of a run: the start, those asked for, and the end; ascending.
-std::vector<double> output_times(const Options& options);
+std::vector<double> output_times(const config::Options& options);
 
 /// Which of the output times get pictures.
-std::vector<bool> picture_flags(const Options& options, std::span<const double> times);
+std::vector<bool> picture_flags(const config::Options& options, std::span<const double> times);
 
 /// surface.pvd, particles.pvd and measures.csv of the rows so far.
-void write_tables(const std::filesystem::path& folder, std::span<const Measures> rows);
+void write_tables(const std::filesystem::path& folder, std::span<const metrics::Measures> rows);
 
 /// "0007"
 std::string frame_name(std::size_t row);
 
-} // namespace corticle
+} // namespace corticle::record

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace corticle
+namespace corticle::record
 {
 
 namespace
@@ -89,8 +89,8 @@ std::vector<FrameFiles> list_frames(const fs::path& folder)
         throw InputError(fmt::format("{}: this run has no frames (no surface.pvd); expected at least one output time",
                                      folder.string()));
     }
-    const auto surfaces = read_pvd(folder / "surface.pvd");
-    const auto particles = read_pvd(folder / "particles.pvd");
+    const auto surfaces = formats::read_pvd(folder / "surface.pvd");
+    const auto particles = formats::read_pvd(folder / "particles.pvd");
     if (surfaces.size() != particles.size() || surfaces.empty())
     {
         throw InputError(fmt::format("{}: surface.pvd lists {} frames and particles.pvd {}; expected the same number, "
@@ -116,8 +116,8 @@ RunContents read_run(const fs::path& folder)
 {
     RunContents run{folder, {}, list_frames(folder)};
     const fs::path file = folder / "measures.csv";
-    run.measures = read_number_table(file);
-    const NumberColumn* const t = run.measures.find("t");
+    run.measures = formats::read_number_table(file);
+    const formats::NumberColumn* const t = run.measures.find("t");
     if (t == nullptr || t->values.empty())
     {
         throw InputError(fmt::format("{}: {}; expected the measures of a run", file.string(),
@@ -135,8 +135,8 @@ RunContents read_run(const fs::path& folder)
 
 Frame read_frame(const FrameFiles& files)
 {
-    const SurfaceFile surface = read_surface_vtp(files.surface);
-    const ParticleFile cloud = read_particles_vtu(files.particles);
+    const formats::SurfaceFile surface = formats::read_surface_vtp(files.surface);
+    const formats::ParticleFile cloud = formats::read_particles_vtu(files.particles);
     require_finite(surface.mesh.vertices, files.surface);
     require_finite(cloud.points, files.particles);
     const auto of_surface = [&](const std::string& name) -> const std::vector<double>&
@@ -173,4 +173,4 @@ Frame read_frame(const FrameFiles& files)
     return frame;
 }
 
-} // namespace corticle
+} // namespace corticle::record

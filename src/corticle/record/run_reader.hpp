@@ -4,7 +4,7 @@
 #include "corticle/formats/number_table.hpp"
 #include "corticle/record/frames.hpp"
 
-namespace corticle
+namespace corticle::record
 {
 
 /// Files of one output time of a run.
@@ -22,7 +22,7 @@ struct FrameFiles
 struct RunContents
 {
     std::filesystem::path folder;
-    NumberTable measures;           ///< measures.csv, whatever its columns; t ascends
+    formats::NumberTable measures;  ///< measures.csv, whatever its columns; t ascends
     std::vector<FrameFiles> frames; ///< at least one; t ascends
 };
 
@@ -39,4 +39,4 @@ RunContents read_run(const std::filesystem::path& folder);
 /// A frame from its files; their names end in "_NAME.vtp" and "_NAME.vtu". @throws InputError
 Frame read_frame(const FrameFiles& files);
 
-} // namespace corticle
+} // namespace corticle::record

@@ -5,13 +5,13 @@
 
 #include <filesystem>
 
-namespace corticle
+namespace corticle::record
 {
 
 /// What `corticle run` was asked for.
 struct RunRequest
 {
-    Options options;
+    config::Options options;
     std::filesystem::path out;  ///< run folder
     std::filesystem::path body; ///< body file of `corticle prepare`; empty: prepare the body now
     int threads = 0;            ///< 0: all cores
@@ -20,4 +20,4 @@ struct RunRequest
     bool quiet = false;
 };
 
-} // namespace corticle
+} // namespace corticle::record

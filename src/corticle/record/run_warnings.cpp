@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-namespace corticle
+namespace corticle::record
 {
 
 namespace
@@ -26,7 +26,7 @@ constexpr double most_limited = 0.01; ///< of the work of growth, taken by the t
 struct Limit
 {
     std::string_view kind;
-    double EquilibriumMeasures::*value;
+    double metrics::EquilibriumMeasures::*value;
     double most;
     std::string_view what;   ///< subject and verb; the share follows
     std::string_view of;     ///< what it is a share of
@@ -34,19 +34,20 @@ struct Limit
 };
 
 constexpr std::array limits{
-    Limit{"zero_mode_share", &EquilibriumMeasures::zero_mode_share, 0.05, "the zero-energy control holds",
+    Limit{"zero_mode_share", &metrics::EquilibriumMeasures::zero_mode_share, 0.05, "the zero-energy control holds",
           "the elastic energy",
           "the cloud is coarse for these folds and acts stiffer than the tissue; more particles lower it"},
-    Limit{"kinetic_share", &EquilibriumMeasures::kinetic_share, 0.10, "the kinetic energy is", "the elastic energy",
-          "growth is too fast to be quasi-static; a larger solver.loading_time lowers it"},
-    Limit{"residual_force", &EquilibriumMeasures::residual_force, 0.10, "the residual force is", "the internal force",
+    Limit{"kinetic_share", &metrics::EquilibriumMeasures::kinetic_share, 0.10, "the kinetic energy is",
+          "the elastic energy", "growth is too fast to be quasi-static; a larger solver.loading_time lowers it"},
+    Limit{"residual_force", &metrics::EquilibriumMeasures::residual_force, 0.10, "the residual force is",
+          "the internal force",
           "the body is not in equilibrium and lags behind its growth; a larger solver.loading_time or a smaller "
           "solver.damping lowers it"},
-    Limit{"dissipated_share", &EquilibriumMeasures::dissipated_share, 0.25, "drag and contact have dissipated",
+    Limit{"dissipated_share", &metrics::EquilibriumMeasures::dissipated_share, 0.25, "drag and contact have dissipated",
           "the work of growth",
           "growth is not quasi-static; a larger solver.loading_time or a smaller solver.damping lowers it"},
-    Limit{"energy_balance_error", &EquilibriumMeasures::energy_balance_error, 0.01, "the energy balance is off by",
-          "the work of growth",
+    Limit{"energy_balance_error", &metrics::EquilibriumMeasures::energy_balance_error, 0.01,
+          "the energy balance is off by", "the work of growth",
           "the steps make or lose energy; a smaller solver.cfl, solver.damping or contact.stiffness may lower it"}};
 
 std::string at_place(const Vec3& place)
@@ -55,7 +56,7 @@ std::string at_place(const Vec3& place)
 }
 
 /// Counts that are 0 or few in a sound state.
-void add_counts(const Measures& row, const RunSize& run, std::vector<RunWarning>& warnings)
+void add_counts(const metrics::Measures& row, const RunSize& run, std::vector<RunWarning>& warnings)
 {
     const auto add =
         [&](std::string_view kind, double count, double most, std::string_view what, std::string_view advice)
@@ -102,16 +103,16 @@ void add_counts(const Measures& row, const RunSize& run, std::vector<RunWarning>
 
 } // namespace
 
-RunSize size_of_run(const Simulation& simulation)
+RunSize size_of_run(const model::Simulation& simulation)
 {
-    const Model& model = simulation.model();
-    const SimulationOptions& options = simulation.options();
+    const model::Model& model = simulation.model();
+    const model::SimulationOptions& options = simulation.options();
     return {std::max(options.time.start, options.tissue.growth_onset),
             static_cast<double>(model.cloud.positions.size()),
             model.fem ? static_cast<double>(model.fem->elements.tets.size()) : 0.0};
 }
 
-std::vector<RunWarning> run_warnings(const Measures& row, const RunSize& run)
+std::vector<RunWarning> run_warnings(const metrics::Measures& row, const RunSize& run)
 {
     std::vector<RunWarning> warnings;
     const bool has_set_in = row.t >= run.start_t + starting_time;
@@ -129,4 +130,4 @@ std::vector<RunWarning> run_warnings(const Measures& row, const RunSize& run)
     return warnings;
 }
 
-} // namespace corticle
+} // namespace corticle::record

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace corticle
+namespace corticle::record
 {
 
 /// What is wrong with the state of a run at an output time.
@@ -24,10 +24,10 @@ struct RunSize
     double nodes = 1.0;   ///< particles, or nodes of tets
     double elements = 0.0;
 };
-RunSize size_of_run(const Simulation& simulation);
+RunSize size_of_run(const model::Simulation& simulation);
 
 /// A line on each measure that says that the folds are not those of soft tissue in equilibrium, or that the
 /// discretisation has broken.
-std::vector<RunWarning> run_warnings(const Measures& row, const RunSize& run);
+std::vector<RunWarning> run_warnings(const metrics::Measures& row, const RunSize& run);
 
-} // namespace corticle
+} // namespace corticle::record

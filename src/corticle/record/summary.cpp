@@ -9,16 +9,16 @@
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
-namespace corticle
+namespace corticle::record
 {
 
 namespace
 {
 
 /// The value of a key that is text.
-std::string text_of(const Options& options, std::string_view key)
+std::string text_of(const config::Options& options, std::string_view key)
 {
-    return std::get<std::string>(find_parameter(key)->get(options));
+    return std::get<std::string>(config::find_parameter(key)->get(options));
 }
 
 /// Mean cost in wall time of one of so many things in one step; null before the first step.
@@ -37,7 +37,7 @@ double peak_memory_mb()
     return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-std::string inputs_json(const Options& options)
+std::string inputs_json(const config::Options& options)
 {
     nlohmann::ordered_json j = nlohmann::ordered_json::object();
     for (const auto& [key, checksum] : options.inputs)
@@ -47,11 +47,11 @@ std::string inputs_json(const Options& options)
     return j.dump();
 }
 
-std::string summary_json(const Simulation& simulation, const PreparationReport& made, const Options& options,
-                         const Measures& last, const RunInfo& info)
+std::string summary_json(const model::Simulation& simulation, const prepare::PreparationReport& made,
+                         const config::Options& options, const metrics::Measures& last, const RunInfo& info)
 {
-    const Model& model = simulation.model();
-    const State& state = simulation.state();
+    const model::Model& model = simulation.model();
+    const model::State& state = simulation.state();
     const auto particles = static_cast<double>(model.cloud.positions.size());
     const std::size_t elements = model.fem ? model.fem->elements.tets.size() : 0;
     nlohmann::ordered_json j;
@@ -84,7 +84,7 @@ std::string summary_json(const Simulation& simulation, const PreparationReport& 
     j["output_s"] = info.output_s;
     j["peak_memory_mb"] = peak_memory_mb();
     j["onset_t"] = state.onset_t >= 0.0 ? nlohmann::ordered_json(state.onset_t) : nlohmann::ordered_json(nullptr);
-    for (const MeasureColumn& column : measure_columns())
+    for (const metrics::MeasureColumn& column : metrics::measure_columns())
     {
         if (column.key != "contact_pairs" && !j.contains(column.key))
         {
@@ -140,7 +140,7 @@ std::vector<std::string> summary_number_keys()
                                   "remesh_area_change",
                                   "remesh_volume_change",
                                   "remesh_largest_distance_mm"};
-    for (const MeasureColumn& column : measure_columns())
+    for (const metrics::MeasureColumn& column : metrics::measure_columns())
     {
         if (column.key != "contact_pairs")
         {
@@ -150,4 +150,4 @@ std::vector<std::string> summary_number_keys()
     return keys;
 }
 
-} // namespace corticle
+} // namespace corticle::record

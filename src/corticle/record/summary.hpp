@@ -5,7 +5,7 @@
 #include "corticle/metrics/measures.hpp"
 #include "corticle/prepare/prepare.hpp"
 
-namespace corticle
+namespace corticle::record
 {
 
 /// What a summary tells besides the last measures.
@@ -23,11 +23,11 @@ struct RunInfo
 };
 
 /// The files that a case names, by key: {"geometry.file": {"file": ..., "sha256": ...}}; as JSON.
-std::string inputs_json(const Options& options);
+std::string inputs_json(const config::Options& options);
 
 /// summary.json: see docs/guide/run-folder.md for the keys.
-std::string summary_json(const Simulation& simulation, const PreparationReport& made, const Options& options,
-                         const Measures& last, const RunInfo& info);
+std::string summary_json(const model::Simulation& simulation, const prepare::PreparationReport& made,
+                         const config::Options& options, const metrics::Measures& last, const RunInfo& info);
 
 /// summary.json of a run that failed before its first state: only what is known then.
 std::string summary_without_state_json(const RunInfo& info);
@@ -38,4 +38,4 @@ std::vector<std::string> summary_number_keys();
 /// Peak resident memory of this process [MB].
 double peak_memory_mb();
 
-} // namespace corticle
+} // namespace corticle::record

@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <array>
 
-namespace corticle
+namespace corticle::study
 {
 
 namespace
@@ -68,9 +68,9 @@ fs::path chosen_folder(const ComparisonRequest& request)
     return fmt::format("compare_{}_{}", name_of(request.run.string()), second);
 }
 
-void require_no_report(const ResultFolder& folder, const ComparisonRequest& request)
+void require_no_report(const record::ResultFolder& folder, const ComparisonRequest& request)
 {
-    if (is_run_folder(folder.path()))
+    if (record::is_run_folder(folder.path()))
     {
         throw InputError(fmt::format("{}: holds a run; expected another folder for the comparison", folder.name()));
     }
@@ -83,11 +83,11 @@ void require_no_report(const ResultFolder& folder, const ComparisonRequest& requ
 }
 
 template <class Comparison>
-ComparisonOutcome write(ResultFolder& folder, const ComparisonRequest& request, const Comparison& comparison)
+ComparisonOutcome write(record::ResultFolder& folder, const ComparisonRequest& request, const Comparison& comparison)
 {
     Pictures pictures;
     std::vector<std::string> files{report_file, numbers_file};
-    if (can_render(pictures.reason))
+    if (view::can_render(pictures.reason))
     {
         pictures.files = comparison_pictures(comparison);
         files.insert(files.end(), pictures.files.begin(), pictures.files.end());
@@ -103,8 +103,8 @@ ComparisonOutcome write(ResultFolder& folder, const ComparisonRequest& request, 
     }
     ComparisonOutcome outcome{folder.path(), comparison_json(comparison, pictures), comparison_summary(comparison),
                               pictures};
-    write_text_atomically(folder.path() / numbers_file, outcome.json);
-    write_text_atomically(folder.path() / report_file, comparison_report(comparison, pictures));
+    formats::write_text_atomically(folder.path() / numbers_file, outcome.json);
+    formats::write_text_atomically(folder.path() / report_file, comparison_report(comparison, pictures));
     return outcome;
 }
 
@@ -112,7 +112,7 @@ ComparisonOutcome write(ResultFolder& folder, const ComparisonRequest& request, 
 
 ComparisonOutcome compare(const ComparisonRequest& request)
 {
-    ResultFolder folder(chosen_folder(request), "comparison");
+    record::ResultFolder folder(chosen_folder(request), "comparison");
     require_no_report(folder, request);
     const auto run = std::find_if(request.others.begin(), request.others.end(), is_folder);
     if (run == request.others.end())
@@ -130,4 +130,4 @@ ComparisonOutcome compare(const ComparisonRequest& request)
     return write(folder, request, compare_runs({request.run, fs::path(*run)}, request.picture_times));
 }
 
-} // namespace corticle
+} // namespace corticle::study

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace corticle
+namespace corticle::study
 {
 
 /// What `corticle compare` was asked for.
@@ -43,4 +43,4 @@ struct ComparisonOutcome
 /// @throws InputError before anything is written; RunError when it cannot be written
 ComparisonOutcome compare(const ComparisonRequest& request);
 
-} // namespace corticle
+} // namespace corticle::study

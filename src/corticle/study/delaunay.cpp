@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace corticle
+namespace corticle::study
 {
 
 namespace
@@ -97,4 +97,4 @@ DelaunayBody delaunay_body(std::span<const Vec3> points, double largest, const s
     return body;
 }
 
-} // namespace corticle
+} // namespace corticle::study

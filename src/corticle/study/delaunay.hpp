@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace corticle
+namespace corticle::study
 {
 
 /// Body and surface made from bare points, as thesis section 3.2 does it: the 3D Delaunay triangulation (VTK), without
@@ -24,4 +24,4 @@ struct DelaunayBody
 /// @throws InputError when no tet is left
 DelaunayBody delaunay_body(std::span<const Vec3> points, double largest, const std::string& name);
 
-} // namespace corticle
+} // namespace corticle::study

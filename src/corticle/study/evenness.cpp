@@ -12,7 +12,7 @@
 #include <cmath>
 #include <vector>
 
-namespace corticle
+namespace corticle::study
 {
 
 namespace
@@ -58,10 +58,10 @@ Neighborhoods neighborhoods(std::span<const Vec3> positions, double support)
                                    const Vec3 X_ij = p - positions[i];
                                    const double distance = norm(X_ij);
                                    count += distance < support ? 1.0 : 0.0;
-                                   shape += pair_weight(distance, support) * outer(X_ij, X_ij);
+                                   shape += tlsph::pair_weight(distance, support) * outer(X_ij, X_ij);
                                });
                      found.count[i] = count;
-                     found.condition[i] = condition_number(shape);
+                     found.condition[i] = tlsph::condition_number(shape);
                  });
     return found;
 }
@@ -101,8 +101,8 @@ Evenness measure_evenness(std::span<const Vec3> positions, std::span<const doubl
     evenness.fewest_neighbors = std::llround(*std::min_element(near.count.begin(), near.count.end()));
     evenness.worst_condition = *std::max_element(near.condition.begin(), near.condition.end());
     evenness.ill_conditioned = std::count_if(near.condition.begin(), near.condition.end(),
-                                             [](double condition) { return !(condition <= largest_condition); });
+                                             [](double condition) { return !(condition <= tlsph::largest_condition); });
     return evenness;
 }
 
-} // namespace corticle
+} // namespace corticle::study

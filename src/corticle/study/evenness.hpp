@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-namespace corticle
+namespace corticle::study
 {
 
 /// How evenly particles are spread, and what that means for the gradient correction. Distances are in spacings.
@@ -30,4 +30,4 @@ struct Evenness
 Evenness measure_evenness(std::span<const Vec3> positions, std::span<const double> depths, double spacing,
                           double support);
 
-} // namespace corticle
+} // namespace corticle::study

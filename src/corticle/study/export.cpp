@@ -18,7 +18,7 @@
 #include <set>
 #include <system_error>
 
-namespace corticle
+namespace corticle::study
 {
 
 namespace
@@ -38,7 +38,7 @@ Frames read_frames(const fs::path& run)
         throw InputError(
             fmt::format("{}: holds no surface.pvd; expected a run folder made by corticle run", run.string()));
     }
-    Frames frames = read_pvd(file);
+    Frames frames = formats::read_pvd(file);
     const bool finite = std::ranges::all_of(frames, [](const auto& frame) { return std::isfinite(frame.first); });
     if (frames.empty() || !finite)
     {
@@ -92,9 +92,9 @@ int decimals_for(const Frames& frames)
 }
 
 /// The scalar fields, each under a name that suits a file.
-std::vector<std::pair<Field, std::string>> scalar_fields(const SurfaceFile& surface)
+std::vector<std::pair<formats::Field, std::string>> scalar_fields(const formats::SurfaceFile& surface)
 {
-    std::vector<std::pair<Field, std::string>> scalars;
+    std::vector<std::pair<formats::Field, std::string>> scalars;
     std::set<std::string> taken;
     for (const auto& [name, values] : surface.fields)
     {
@@ -109,7 +109,7 @@ std::vector<std::pair<Field, std::string>> scalar_fields(const SurfaceFile& surf
         {
             part += '_';
         }
-        scalars.emplace_back(Field{name, 1, values}, part);
+        scalars.emplace_back(formats::Field{name, 1, values}, part);
     }
     return scalars;
 }
@@ -118,7 +118,8 @@ std::vector<std::pair<Field, std::string>> scalar_fields(const SurfaceFile& surf
 using FileWriter = std::pair<std::string, std::function<void(const fs::path&)>>;
 
 /// The files of a frame. They refer to the request and the surface.
-std::vector<FileWriter> frame_writers(const ExportRequest& request, const std::string& stem, const SurfaceFile& surface)
+std::vector<FileWriter> frame_writers(const ExportRequest& request, const std::string& stem,
+                                      const formats::SurfaceFile& surface)
 {
     const std::vector<Vec3>& points = surface.mesh.vertices;
     const std::vector<Triangle>& triangles = surface.mesh.triangles;
@@ -126,39 +127,40 @@ std::vector<FileWriter> frame_writers(const ExportRequest& request, const std::s
     std::vector<FileWriter> files;
     if (request.format == "ply")
     {
-        std::vector<Field> fields;
+        std::vector<formats::Field> fields;
         for (const auto& [field, part] : scalars)
         {
             fields.push_back({part, 1, field.values});
         }
-        files.emplace_back(stem + ".ply",
-                           [&, fields](const fs::path& file) { write_surface_ply(file, points, triangles, fields); });
+        files.emplace_back(stem + ".ply", [&, fields](const fs::path& file)
+                           { formats::write_surface_ply(file, points, triangles, fields); });
     }
     else if (request.format == "stl")
     {
-        files.emplace_back(stem + ".stl", [&](const fs::path& file) { write_surface_stl(file, points, triangles); });
+        files.emplace_back(stem + ".stl",
+                           [&](const fs::path& file) { formats::write_surface_stl(file, points, triangles); });
     }
     else if (request.format == "freesurfer")
     {
         files.emplace_back(stem + ".surf",
-                           [&](const fs::path& file) { write_surface_freesurfer(file, points, triangles); });
+                           [&](const fs::path& file) { formats::write_surface_freesurfer(file, points, triangles); });
         for (const auto& [field, part] : scalars)
         {
             files.emplace_back(fmt::format("{}.{}.curv", stem, part),
                                [&triangles, values = field.values](const fs::path& file)
-                               { write_scalars_freesurfer(file, values, triangles.size()); });
+                               { formats::write_scalars_freesurfer(file, values, triangles.size()); });
         }
     }
     else
     {
         const std::string structure = request.structure.empty() ? "Cortex" : request.structure;
         files.emplace_back(stem + ".surf.gii", [&, structure](const fs::path& file)
-                           { write_surface_gifti(file, points, triangles, structure); });
+                           { formats::write_surface_gifti(file, points, triangles, structure); });
         for (const auto& [field, part] : scalars)
         {
             files.emplace_back(fmt::format("{}.{}.shape.gii", stem, part),
                                [scalar = field, structure](const fs::path& file) {
-                                   write_scalars_gifti(file, {&scalar, 1}, structure);
+                                   formats::write_scalars_gifti(file, {&scalar, 1}, structure);
                                });
         }
     }
@@ -166,7 +168,7 @@ std::vector<FileWriter> frame_writers(const ExportRequest& request, const std::s
 }
 
 /// Refuses to write over anything that was not asked for.
-void require_new(const ResultFolder& folder, const ExportRequest& request, std::span<const std::string> files)
+void require_new(const record::ResultFolder& folder, const ExportRequest& request, std::span<const std::string> files)
 {
     folder.require_free(files);
     const auto earlier = std::ranges::find_if(files, [&](const std::string& file) { return folder.has_written(file); });
@@ -190,12 +192,12 @@ std::vector<ExportedFrame> export_run(const ExportRequest& request)
     const auto chosen = chosen_frames(frames, request.times);
     const int decimals = decimals_for(frames);
     const auto stem = [&](std::size_t index) { return fmt::format("surface_t{:.{}f}", frames[index].first, decimals); };
-    ResultFolder folder(request.out.empty() ? request.run / "export" : request.out, "export");
+    record::ResultFolder folder(request.out.empty() ? request.run / "export" : request.out, "export");
     std::vector<ExportedFrame> exported;
     std::vector<std::string> all;
     for (const auto& [index, asked] : chosen) // all names first: nothing is written where one is taken
     {
-        const SurfaceFile surface = read_surface_vtp(request.run / frames[index].second);
+        const formats::SurfaceFile surface = formats::read_surface_vtp(request.run / frames[index].second);
         exported.push_back({frames[index].first, asked, {}});
         for (const auto& [name, write] : frame_writers(request, stem(index), surface))
         {
@@ -208,7 +210,7 @@ std::vector<ExportedFrame> export_run(const ExportRequest& request)
     folder.claim(all);
     for (const auto& [index, asked] : chosen)
     {
-        const SurfaceFile surface = read_surface_vtp(request.run / frames[index].second);
+        const formats::SurfaceFile surface = formats::read_surface_vtp(request.run / frames[index].second);
         for (const auto& [name, write] : frame_writers(request, stem(index), surface))
         {
             write(folder.path() / name);
@@ -217,4 +219,4 @@ std::vector<ExportedFrame> export_run(const ExportRequest& request)
     return exported;
 }
 
-} // namespace corticle
+} // namespace corticle::study

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace corticle
+namespace corticle::study
 {
 
 struct ExportRequest
@@ -33,4 +33,4 @@ struct ExportedFrame
 /// there already; RunError when a file cannot be written
 std::vector<ExportedFrame> export_run(const ExportRequest& request);
 
-} // namespace corticle
+} // namespace corticle::study

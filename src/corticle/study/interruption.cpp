@@ -8,7 +8,7 @@
 
 #include <unistd.h>
 
-namespace corticle
+namespace corticle::study
 {
 
 namespace
@@ -112,4 +112,4 @@ void reset_interrupting_signals()
     }
 }
 
-} // namespace corticle
+} // namespace corticle::study

@@ -5,7 +5,7 @@
 
 #include <csignal>
 
-namespace corticle
+namespace corticle::study
 {
 
 /// Signals by which people, terminals and batch systems ask a process to end.
@@ -34,4 +34,4 @@ void exit_when_interrupted();
 /// In a forked child, before exec: these signals have their default effect; those that are ignored stay so.
 void reset_interrupting_signals();
 
-} // namespace corticle
+} // namespace corticle::study

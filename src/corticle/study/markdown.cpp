@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace corticle
+namespace corticle::study
 {
 
 namespace
@@ -76,4 +76,4 @@ std::string table_difference(double value)
     return std::abs(value) < 1e-12 ? "0" : fmt::format("{:+.3g}", value);
 }
 
-} // namespace corticle
+} // namespace corticle::study

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace corticle
+namespace corticle::study
 {
 
 /// Text that stands for itself in a cell of a Markdown table.
@@ -24,4 +24,4 @@ std::string table_percent(double value);
 /// A difference of shares, with its sign; a dash for NaN.
 std::string table_difference(double value);
 
-} // namespace corticle
+} // namespace corticle::study

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-namespace corticle
+namespace corticle::study
 {
 
 namespace
@@ -21,28 +21,28 @@ constexpr double contact_surcharge = 1.2; ///< time of a step with folds that to
 
 } // namespace
 
-Plan plan(const Options& options, int threads)
+Plan plan(const config::Options& options, int threads)
 {
     set_thread_count(threads);
-    Preparation made = prepare_body(options);
-    const auto shared = std::make_shared<const Model>(std::move(made.model));
-    const Model& model = *shared;
+    prepare::Preparation made = prepare::prepare_body(options);
+    const auto shared = std::make_shared<const model::Model>(std::move(made.model));
+    const model::Model& model = *shared;
     Plan result;
     result.particles = std::ssize(model.cloud.positions);
     result.surface_vertices = std::ssize(model.cloud.surface_particles);
     result.spacing_mm = model.cloud.spacing;
     result.neighbors_mean = made.report.neighbors_mean;
     result.memory_mb =
-        estimated_memory(options.method, static_cast<double>(result.particles), result.neighbors_mean) / 1e6;
+        prepare::estimated_memory(options.method, static_cast<double>(result.particles), result.neighbors_mean) / 1e6;
     std::string notes;
     for (const std::string& warning : made.report.warnings)
     {
         notes += "warning: " + warning + "\n";
     }
 
-    Simulation simulation(shared, options);
-    const DynamicsOptions& dynamics = options.dynamics;
-    const double longer = dynamics.time_step > 0.0 ? 1.0 : steps_over_first * quickened_steps(dynamics);
+    model::Simulation simulation(shared, options);
+    const dynamics::DynamicsOptions& dynamics = options.dynamics;
+    const double longer = dynamics.time_step > 0.0 ? 1.0 : steps_over_first * dynamics::quickened_steps(dynamics);
     result.steps = longer * (options.time.end - options.time.start) / simulation.step_size();
     double timed_s = 0.0;
     {
@@ -63,4 +63,4 @@ Plan plan(const Options& options, int threads)
     return result;
 }
 
-} // namespace corticle
+} // namespace corticle::study

@@ -20,7 +20,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace corticle
+namespace corticle::study
 {
 
 namespace
@@ -34,12 +34,12 @@ constexpr double missed_over_distance = 0.5;      ///< surface farther than this
 std::vector<Vec3> table_points(const fs::path& file)
 {
     constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
-    const NumberTable table = read_number_table(file, axes);
+    const formats::NumberTable table = formats::read_number_table(file, axes);
     std::vector<Vec3> points(table.row_count());
     for (int axis = 0; axis < 3; ++axis)
     {
         const std::string key(1, "xyz"[axis]);
-        const NumberColumn* const column = table.find(key);
+        const formats::NumberColumn* const column = table.find(key);
         if (column == nullptr)
         {
             throw InputError(fmt::format("{}: no column {}; expected columns x, y and z", file.string(), key));
@@ -54,9 +54,9 @@ std::vector<Vec3> table_points(const fs::path& file)
 
 std::vector<Vec3> read_points(const fs::path& file)
 {
-    std::vector<Vec3> points = file.extension() == ".vtu"   ? read_particles_vtu(file).points
+    std::vector<Vec3> points = file.extension() == ".vtu"   ? formats::read_particles_vtu(file).points
                                : file.extension() == ".csv" ? table_points(file)
-                                                            : read_surface(file).vertices;
+                                                            : formats::read_surface(file).vertices;
     if (points.size() < 4 || !std::ranges::all_of(points, is_finite))
     {
         throw InputError(
@@ -94,7 +94,7 @@ struct Samples
     std::vector<double> areas;
     std::vector<double> distances;
 
-    void measure(const SurfaceTree& other)
+    void measure(const geometry::SurfaceTree& other)
     {
         distances.resize(places.size());
         parallel_for(std::ssize(places),
@@ -169,7 +169,8 @@ DistanceStatistics statistics(const Samples& a, const Samples& b)
 }
 
 /// Area-weighted mean of a field of the carried surface over its triangles that are farther than `distance`.
-double mean_beyond(const SurfaceFile& carried, const std::string& name, const Samples& samples, double distance)
+double mean_beyond(const formats::SurfaceFile& carried, const std::string& name, const Samples& samples,
+                   double distance)
 {
     const auto field = std::ranges::find(carried.fields, name, &std::pair<std::string, std::vector<double>>::first);
     double sum = 0.0;
@@ -188,29 +189,30 @@ double mean_beyond(const SurfaceFile& carried, const std::string& name, const Sa
     return area > 0.0 ? sum / area : std::nan("");
 }
 
-void add_sizes(std::vector<SurfaceRow>& rows, const std::string& prefix, const SurfaceMeasures& sizes)
+void add_sizes(std::vector<metrics::SurfaceRow>& rows, const std::string& prefix, const metrics::SurfaceMeasures& sizes)
 {
-    for (const SizeColumn& column : size_columns())
+    for (const metrics::SizeColumn& column : metrics::size_columns())
     {
         rows.push_back({prefix + std::string(column.key), std::string(column.unit), sizes.*column.value});
     }
 }
 
 /// How far the surface from points is from the one that the run carries along. @return distances at its triangles [mm]
-std::vector<double> add_comparison(std::vector<SurfaceRow>& rows, const TriangleMesh& found,
-                                   const SurfaceMeasures& sizes, const SurfaceFile& carried, double point_distance)
+std::vector<double> add_comparison(std::vector<metrics::SurfaceRow>& rows, const TriangleMesh& found,
+                                   const metrics::SurfaceMeasures& sizes, const formats::SurfaceFile& carried,
+                                   double point_distance)
 {
-    const SurfaceMeasures expected = measure_surface(carried.mesh.vertices, carried.mesh.triangles);
+    const metrics::SurfaceMeasures expected = metrics::measure_surface(carried.mesh.vertices, carried.mesh.triangles);
     add_sizes(rows, "carried_", expected);
     Samples of_found = at_triangles(found);
-    of_found.measure(SurfaceTree(carried.mesh.vertices, carried.mesh.triangles));
+    of_found.measure(geometry::SurfaceTree(carried.mesh.vertices, carried.mesh.triangles));
     Samples of_carried = at_triangles(carried.mesh);
-    of_carried.measure(SurfaceTree(found.vertices, found.triangles));
+    of_carried.measure(geometry::SurfaceTree(found.vertices, found.triangles));
     const DistanceStatistics far = statistics(of_found, of_carried);
     const double missed = missed_over_distance * point_distance;
-    rows.push_back({"area_error", "%", percent_difference(expected.area_mm2, sizes.area_mm2)});
-    rows.push_back({"volume_error", "%", percent_difference(expected.volume_mm3, sizes.volume_mm3)});
-    rows.push_back({"gi_hull_error", "%", percent_difference(expected.gi_hull, sizes.gi_hull)});
+    rows.push_back({"area_error", "%", metrics::percent_difference(expected.area_mm2, sizes.area_mm2)});
+    rows.push_back({"volume_error", "%", metrics::percent_difference(expected.volume_mm3, sizes.volume_mm3)});
+    rows.push_back({"gi_hull_error", "%", metrics::percent_difference(expected.gi_hull, sizes.gi_hull)});
     rows.push_back({"distance_mean_mm", "mm", far.mean});
     rows.push_back({"distance_95_mm", "mm", far.percentile_95});
     rows.push_back({"distance_hausdorff_mm", "mm", far.largest});
@@ -240,33 +242,34 @@ std::vector<double> at_vertices(const TriangleMesh& surface, std::span<const dou
 
 } // namespace
 
-std::vector<SurfaceRow> measure_point_surface(const PointSurfaceRequest& request)
+std::vector<metrics::SurfaceRow> measure_point_surface(const PointSurfaceRequest& request)
 {
     const std::vector<Vec3> points = read_points(request.file);
     const double distance = mean_distance(points);
     const double limit = request.length_limit_mm.value_or(limit_over_distance * distance);
     const DelaunayBody body = delaunay_body(points, limit, request.file.string());
     const TriangleMesh& surface = body.boundary.surface;
-    const SurfaceMeasures sizes = measure_surface(surface.vertices, surface.triangles);
-    std::vector<SurfaceRow> rows{{"points", "-", static_cast<double>(points.size())},
-                                 {"points_left_out", "-", static_cast<double>(body.points_left_out)},
-                                 {"point_distance_mm", "mm", distance},
-                                 {"length_limit_mm", "mm", limit},
-                                 {"tets", "-", static_cast<double>(body.mesh.tets.size())}};
+    const metrics::SurfaceMeasures sizes = metrics::measure_surface(surface.vertices, surface.triangles);
+    std::vector<metrics::SurfaceRow> rows{{"points", "-", static_cast<double>(points.size())},
+                                          {"points_left_out", "-", static_cast<double>(body.points_left_out)},
+                                          {"point_distance_mm", "mm", distance},
+                                          {"length_limit_mm", "mm", limit},
+                                          {"tets", "-", static_cast<double>(body.mesh.tets.size())}};
     add_sizes(rows, "", sizes);
     std::vector<double> distances;
     if (const fs::path carried = carried_file(request.file); !carried.empty())
     {
-        distances = add_comparison(rows, surface, sizes, read_surface_vtp(carried), distance);
+        distances = add_comparison(rows, surface, sizes, formats::read_surface_vtp(carried), distance);
     }
     if (!request.out.empty())
     {
         const std::vector<double> shown = at_vertices(surface, distances);
-        const std::vector<Field> fields{Field{"distance", 1, shown}};
-        write_surface_vtp(request.out, surface.vertices, surface.triangles,
-                          distances.empty() ? std::span<const Field>() : std::span<const Field>(fields));
+        const std::vector<formats::Field> fields{formats::Field{"distance", 1, shown}};
+        formats::write_surface_vtp(request.out, surface.vertices, surface.triangles,
+                                   distances.empty() ? std::span<const formats::Field>()
+                                                     : std::span<const formats::Field>(fields));
     }
     return rows;
 }
 
-} // namespace corticle
+} // namespace corticle::study

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <optional>
 
-namespace corticle
+namespace corticle::study
 {
 
 /// What `corticle measure --surface delaunay` is asked for.
@@ -22,6 +22,6 @@ struct PointSurfaceRequest
 /// carries along, and where. Points come from .vtu, from a table (.csv) with columns x, y and z, or are the vertices of
 /// any surface file. The file written has the distance to the carried surface as an array.
 /// @throws InputError
-std::vector<SurfaceRow> measure_point_surface(const PointSurfaceRequest& request);
+std::vector<metrics::SurfaceRow> measure_point_surface(const PointSurfaceRequest& request);
 
-} // namespace corticle
+} // namespace corticle::study

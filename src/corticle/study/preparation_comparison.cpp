@@ -19,7 +19,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace corticle
+namespace corticle::study
 {
 
 namespace
@@ -42,19 +42,19 @@ double sum(std::span<const double> values)
     return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-std::span<const Vec3> positions_of(const Model& model)
+std::span<const Vec3> positions_of(const model::Model& model)
 {
     return model.cloud.positions;
 }
 
-bool is_sphere_by_lambda(const Options& options)
+bool is_sphere_by_lambda(const config::Options& options)
 {
-    return options.geometry.shape == Shape::sphere && options.tissue.lambda > 0.0 &&
-           options.tissue.layer == Layer::binary;
+    return options.geometry.shape == prepare::Shape::sphere && options.tissue.lambda > 0.0 &&
+           options.tissue.layer == material::Layer::binary;
 }
 
 /// Thickness of the exact cortex at each particle: on the sphere that of eq. 24 where the case has a lambda [mm].
-std::vector<double> exact_thickness(const Model& model, const Options& options)
+std::vector<double> exact_thickness(const model::Model& model, const config::Options& options)
 {
     if (!model.tissue.thickness.empty())
     {
@@ -67,7 +67,7 @@ std::vector<double> exact_thickness(const Model& model, const Options& options)
 }
 
 /// Depths and normals of the sphere itself.
-void set_sphere(const Model& model, double radius, Exact& exact)
+void set_sphere(const model::Model& model, double radius, Exact& exact)
 {
     exact.reference = "sphere";
     for (const Vec3& X : positions_of(model))
@@ -78,7 +78,7 @@ void set_sphere(const Model& model, double radius, Exact& exact)
 }
 
 /// Depths of the triangulated surface, and their gradient as normals; on the surface itself the vertex normals.
-void set_surface(const Model& model, const SurfaceTree& tree, Exact& exact)
+void set_surface(const model::Model& model, const geometry::SurfaceTree& tree, Exact& exact)
 {
     exact.reference = "triangulated surface";
     const std::int64_t count = std::ssize(positions_of(model));
@@ -88,7 +88,7 @@ void set_surface(const Model& model, const SurfaceTree& tree, Exact& exact)
                  [&](std::int64_t i)
                  {
                      const Vec3& X = model.cloud.positions[i];
-                     const SurfacePoint foot = tree.closest(X);
+                     const geometry::SurfacePoint foot = tree.closest(X);
                      const double depth = std::sqrt(foot.squared_distance);
                      const bool on_it = depth < 1e-6 * model.cloud.spacing;
                      exact.depth[i] = depth;
@@ -96,11 +96,11 @@ void set_surface(const Model& model, const SurfaceTree& tree, Exact& exact)
                  });
 }
 
-Exact exact_answers(const Model& model, const Options& options, const SurfaceTree& tree)
+Exact exact_answers(const model::Model& model, const config::Options& options, const geometry::SurfaceTree& tree)
 {
     constexpr double fine_lines = 24.0; // per spacing
     Exact exact;
-    const bool sphere = options.geometry.shape == Shape::sphere;
+    const bool sphere = options.geometry.shape == prepare::Shape::sphere;
     if (sphere)
     {
         set_sphere(model, options.geometry.radius_mm, exact);
@@ -109,7 +109,7 @@ Exact exact_answers(const Model& model, const Options& options, const SurfaceTre
     {
         set_surface(model, tree, exact);
     }
-    exact.volume = cell_volumes(model.surface, model.cloud.positions, model.cloud.spacing, fine_lines);
+    exact.volume = cloud::cell_volumes(model.surface, model.cloud.positions, model.cloud.spacing, fine_lines);
     exact.total_volume = enclosed_volume(model.surface.vertices, model.surface.triangles);
     const std::vector<double> thickness = exact_thickness(model, options);
     std::vector<double> inside;
@@ -121,7 +121,7 @@ Exact exact_answers(const Model& model, const Options& options, const SurfaceTre
     exact.cortex_volume =
         sphere && model.tissue.thickness.empty()
             ? exact.total_volume * (1.0 - std::pow(1.0 - thickness[0] / options.geometry.radius_mm, 3))
-            : volume_inside(inside, exact.volume);
+            : material::volume_inside(inside, exact.volume);
     return exact;
 }
 
@@ -151,8 +151,8 @@ NormalErrors normal_errors(std::string choice, std::span<const double> degrees, 
     return errors;
 }
 
-VolumeErrors volume_errors(std::string choice, std::span<const double> volumes, const Model& model, const Exact& exact,
-                           double kernel_radius)
+VolumeErrors volume_errors(std::string choice, std::span<const double> volumes, const model::Model& model,
+                           const Exact& exact, double kernel_radius)
 {
     enum Place
     {
@@ -191,7 +191,7 @@ VolumeErrors volume_errors(std::string choice, std::span<const double> volumes, 
 }
 
 /// Distances to the nearest particle on the surface (thesis section 2.3).
-std::vector<double> distances_to_surface_particles(const Model& model)
+std::vector<double> distances_to_surface_particles(const model::Model& model)
 {
     const PointTree tree(model.surface.vertices);
     std::vector<double> distances(model.cloud.positions.size());
@@ -225,52 +225,53 @@ LayerErrors layer_errors(std::string choice, std::span<const double> theta, std:
 }
 
 /// The tissue as it would be at t = 0.
-struct OurTissue : TissueFields
+struct OurTissue : material::TissueFields
 {
     std::vector<double> theta; ///< of a sharp layer
 };
 
 /// What we do, whatever the case of the body chooses.
-OurTissue our_tissue(const Model& model, const Options& options, const SurfaceTree& tree)
+OurTissue our_tissue(const model::Model& model, const config::Options& options, const geometry::SurfaceTree& tree)
 {
     OurTissue ours;
     ours.thickness = model.tissue.thickness;
-    ours.volume = cell_volumes(model.surface, model.cloud.positions, model.cloud.spacing);
+    ours.volume = cloud::cell_volumes(model.surface, model.cloud.positions, model.cloud.spacing);
     ours.depth.resize(model.cloud.positions.size());
     ours.normal.resize(model.cloud.positions.size());
     parallel_for(std::ssize(ours.depth),
                  [&](std::int64_t i)
                  {
-                     const SurfacePoint foot = tree.closest(model.cloud.positions[i]);
+                     const geometry::SurfacePoint foot = tree.closest(model.cloud.positions[i]);
                      ours.depth[i] = std::sqrt(foot.squared_distance);
                      ours.normal[i] = tree.interpolated_normal(foot);
                  });
     if (is_sphere_by_lambda(options))
     {
         const double radius = options.geometry.radius_mm;
-        ours.theta =
-            ellipsoid_layer(model.cloud.positions, ours.volume, {radius, radius, radius}, options.tissue.lambda);
+        ours.theta = prepare::ellipsoid_layer(model.cloud.positions, ours.volume, {radius, radius, radius},
+                                              options.tissue.lambda);
     }
     else
     {
-        TissueOptions sharp = options.tissue;
-        sharp.layer = Layer::binary; // what the exact cortex is compared with
-        TissueState state;
-        set_layer(ours, sharp, {}, 0.0, state);
+        material::TissueOptions sharp = options.tissue;
+        sharp.layer = material::Layer::binary; // what the exact cortex is compared with
+        material::TissueState state;
+        material::set_layer(ours, sharp, {}, 0.0, state);
         ours.theta = std::move(state.theta);
     }
     return ours;
 }
 
-void compare_normals(const Model& model, const OurTissue& ours, const Exact& exact, PreparationComparison& result)
+void compare_normals(const model::Model& model, const OurTissue& ours, const Exact& exact,
+                     PreparationComparison& result)
 {
     result.normals.push_back(normal_errors("ours: closest point", angles(ours.normal, exact.normal), exact));
-    const NormalLines lines = triangle_normal_lines(model.surface);
-    const Vec3 centre = extents_centre(model.cloud.positions);
+    const prepare::NormalLines lines = prepare::triangle_normal_lines(model.surface);
+    const Vec3 centre = prepare::extents_centre(model.cloud.positions);
     const std::vector<std::int32_t>& divisions = result.thesis.divisions;
     for (std::size_t k = 0; k < divisions.size(); ++k)
     {
-        const std::vector<Vec3> normals = division_normals(model.cloud.positions, lines, divisions[k], centre);
+        const std::vector<Vec3> normals = prepare::division_normals(model.cloud.positions, lines, divisions[k], centre);
         std::vector<double> degrees = angles(normals, exact.normal);
         result.normals.push_back(
             normal_errors(fmt::format("thesis: nearest line, {} divisions", divisions[k]), degrees, exact));
@@ -281,11 +282,11 @@ void compare_normals(const Model& model, const OurTissue& ours, const Exact& exa
     }
 }
 
-std::vector<double> compare_volumes(const Model& model, const OurTissue& ours, const Exact& exact,
+std::vector<double> compare_volumes(const model::Model& model, const OurTissue& ours, const Exact& exact,
                                     PreparationComparison& result)
 {
     const double radius = result.thesis.kernel_radius_mm;
-    std::vector<double> volumes = neighbor_count_volumes(model.cloud.positions, radius, exact.total_volume);
+    std::vector<double> volumes = prepare::neighbor_count_volumes(model.cloud.positions, radius, exact.total_volume);
     result.volumes.push_back(
         volume_errors("ours: Voronoi cells cut at the surface", ours.volume, model, exact, radius));
     result.volumes.push_back(
@@ -297,18 +298,18 @@ std::vector<double> compare_volumes(const Model& model, const OurTissue& ours, c
     return volumes;
 }
 
-void compare_layers(const Model& model, const OurTissue& ours, const Exact& exact,
+void compare_layers(const model::Model& model, const OurTissue& ours, const Exact& exact,
                     std::span<const double> thesis_volumes, PreparationComparison& result)
 {
     const std::span<const Vec3> positions = positions_of(model);
     const double lambda = result.thesis.lambda;
-    const Vec3 centre = extents_centre(positions);
-    const std::array<double, 3> semi_axes = fitted_semi_axes(positions);
-    result.thesis_theta = ellipsoid_layer_by_centres(positions, semi_axes, lambda, centre);
+    const Vec3 centre = prepare::extents_centre(positions);
+    const std::array<double, 3> semi_axes = prepare::fitted_semi_axes(positions);
+    result.thesis_theta = prepare::ellipsoid_layer_by_centres(positions, semi_axes, lambda, centre);
     std::vector<double> levels;
     for (std::size_t i = 0; i < positions.size(); ++i)
     {
-        levels.push_back(ellipsoid_level(positions[i], semi_axes, centre));
+        levels.push_back(prepare::ellipsoid_level(positions[i], semi_axes, centre));
         result.layer_disagreement.push_back(result.thesis_theta[i] - exact.theta[i]);
     }
     result.exact_cortex_share = exact.cortex_volume / exact.total_volume;
@@ -319,7 +320,8 @@ void compare_layers(const Model& model, const OurTissue& ours, const Exact& exac
         layer_errors(fmt::format("thesis: eq. 24 with lambda = {:g}, volumes of eqs. 25-26", lambda),
                      result.thesis_theta, thesis_volumes, exact));
     result.layers.push_back(layer_errors("eq. 24 with lambda fitted to the exact volume of the cortex",
-                                         sharp_layer(levels, exact.volume, exact.cortex_volume), exact.volume, exact));
+                                         material::sharp_layer(levels, exact.volume, exact.cortex_volume), exact.volume,
+                                         exact));
 }
 
 std::vector<Vec3> chosen(std::span<const Vec3> points, std::span<const std::int32_t> kept)
@@ -333,7 +335,7 @@ std::vector<Vec3> chosen(std::span<const Vec3> points, std::span<const std::int3
     return subset;
 }
 
-void compare_evenness(const Model& model, const Options& options, const SurfaceTree& tree,
+void compare_evenness(const model::Model& model, const config::Options& options, const geometry::SurfaceTree& tree,
                       PreparationComparison& result)
 {
     const double spacing = model.cloud.spacing;
@@ -345,28 +347,30 @@ void compare_evenness(const Model& model, const Options& options, const SurfaceT
                      [&](std::int64_t i) { depths[i] = std::sqrt(tree.closest(points[i]).squared_distance); });
         result.clouds.push_back({std::move(choice), measure_evenness(points, depths, spacing, support)});
     };
-    const Arrangement arrangement = options.geometry.arrangement;
-    add(arrangement == Arrangement::body_fitted ? "ours: repulsion" : std::string("this body: ") + name_of(arrangement),
+    const prepare::Arrangement arrangement = options.geometry.arrangement;
+    add(arrangement == prepare::Arrangement::body_fitted ? "ours: repulsion"
+                                                         : std::string("this body: ") + prepare::name_of(arrangement),
         model.cloud.positions);
 
     constexpr double edge_per_spacing = 1.05;
     const double dense_spacing = spacing / std::cbrt(result.thesis.dense_ratio);
-    const TriangleMesh surface = remesh_isotropic(model.surface, edge_per_spacing * dense_spacing);
-    const std::vector<Vec3> dense = fill_surface(surface, {dense_spacing, result.thesis.seed}).positions;
+    const TriangleMesh surface = geometry::remesh_isotropic(model.surface, edge_per_spacing * dense_spacing);
+    const std::vector<Vec3> dense = cloud::fill_surface(surface, {dense_spacing, result.thesis.seed}).positions;
     const std::int64_t count = std::min(result.particles, std::ssize(dense));
-    add("thesis: random thinning", chosen(dense, thin_random(dense, count, result.thesis.seed)));
-    add("sample elimination", chosen(dense, thin_uniform(dense, count, result.thesis.seed)));
+    add("thesis: random thinning", chosen(dense, cloud::thin_random(dense, count, result.thesis.seed)));
+    add("sample elimination", chosen(dense, cloud::thin_uniform(dense, count, result.thesis.seed)));
 }
 
 } // namespace
 
-PreparationComparison compare_preparation(const Model& model, const Options& options, const ThesisPreparation& thesis)
+PreparationComparison compare_preparation(const model::Model& model, const config::Options& options,
+                                          const ThesisPreparation& thesis)
 {
     PreparationComparison result;
     result.thesis = thesis;
     result.particles = std::ssize(model.cloud.positions);
     result.spacing_mm = model.cloud.spacing;
-    const SurfaceTree tree(model.surface.vertices, model.surface.triangles);
+    const geometry::SurfaceTree tree(model.surface.vertices, model.surface.triangles);
     const Exact exact = exact_answers(model, options, tree);
     const OurTissue ours = our_tissue(model, options, tree);
     result.reference = exact.reference;
@@ -380,4 +384,4 @@ PreparationComparison compare_preparation(const Model& model, const Options& opt
     return result;
 }
 
-} // namespace corticle
+} // namespace corticle::study

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace corticle
+namespace corticle::study
 {
 
 /// The thesis's own choices in pre-processing (sections 2.4.1, 2.4.2 and 3.2).
@@ -95,7 +95,7 @@ struct PreparationComparison
 /// Compares on a prepared body. Thins a cloud `dense_ratio` times as dense, which it makes.
 /// @param options  those the body was prepared with
 /// @throws InputError where one of the thesis's choices cannot be made on this body
-PreparationComparison compare_preparation(const Model& model, const Options& options,
+PreparationComparison compare_preparation(const model::Model& model, const config::Options& options,
                                           const ThesisPreparation& thesis = {});
 
 /// The figures as a JSON object (without what is per particle): what `preparation.json` holds as "thesis_comparison".
@@ -105,14 +105,14 @@ std::string comparison_json(const PreparationComparison& comparison);
 std::string comparison_text(const PreparationComparison& comparison);
 
 /// What is per particle, for a particle file. The fields refer to the comparison.
-std::vector<Field> comparison_fields(const PreparationComparison& comparison);
+std::vector<formats::Field> comparison_fields(const PreparationComparison& comparison);
 
 /// Names of the pictures that write_comparison_pictures draws.
 inline constexpr std::array thesis_pictures{"thesis_normals.png", "thesis_volumes.png", "thesis_layer.png"};
 
 /// Cross-sections through the middle of the body: `thesis_normals.png`, `thesis_volumes.png`, `thesis_layer.png`, each
 /// with the thesis's layer on the left. Needs a display or Xvfb, see view/pictures.hpp.
-void write_comparison_pictures(const std::filesystem::path& folder, const Model& model,
+void write_comparison_pictures(const std::filesystem::path& folder, const model::Model& model,
                                const PreparationComparison& comparison);
 
-} // namespace corticle
+} // namespace corticle::study

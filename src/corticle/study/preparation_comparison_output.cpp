@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace corticle
+namespace corticle::study
 {
 
 namespace
@@ -136,7 +136,7 @@ std::string comparison_text(const PreparationComparison& comparison)
     return text;
 }
 
-std::vector<Field> comparison_fields(const PreparationComparison& comparison)
+std::vector<formats::Field> comparison_fields(const PreparationComparison& comparison)
 {
     return {{"thesis_normal_error_deg", 1, comparison.normal_error},
             {"thesis_volume_ratio", 1, comparison.volume_ratio},
@@ -144,25 +144,25 @@ std::vector<Field> comparison_fields(const PreparationComparison& comparison)
             {"thesis_layer_disagreement", 1, comparison.layer_disagreement}};
 }
 
-void write_comparison_pictures(const std::filesystem::path& folder, const Model& model,
+void write_comparison_pictures(const std::filesystem::path& folder, const model::Model& model,
                                const PreparationComparison& comparison)
 {
     const std::vector<Mat3> undeformed(model.cloud.positions.size(), Mat3::identity());
     const std::int32_t divisions = comparison.thesis.divisions[comparison.thesis.divisions.size() / 2];
     const auto render =
-        [&](const char* name, std::span<const double> scalar, const ColorScale& scale, const std::string& title)
+        [&](const char* name, std::span<const double> scalar, const view::ColorScale& scale, const std::string& title)
     {
-        const CutInput cut{.positions = model.cloud.positions,
-                           .origins = model.cloud.positions,
-                           .F = undeformed,
-                           .theta = comparison.thesis_theta,
-                           .scalar = scalar,
-                           .spacing = model.cloud.spacing,
-                           .surface_points = model.surface.vertices,
-                           .triangles = model.surface.triangles,
-                           .axis = 1,
-                           .coordinate = extents_centre(model.cloud.positions).y};
-        render_cut(folder / name, cut, scale, title);
+        const view::CutInput cut{.positions = model.cloud.positions,
+                                 .origins = model.cloud.positions,
+                                 .F = undeformed,
+                                 .theta = comparison.thesis_theta,
+                                 .scalar = scalar,
+                                 .spacing = model.cloud.spacing,
+                                 .surface_points = model.surface.vertices,
+                                 .triangles = model.surface.triangles,
+                                 .axis = 1,
+                                 .coordinate = prepare::extents_centre(model.cloud.positions).y};
+        view::render_cut(folder / name, cut, scale, title);
     };
     const double most_degrees = comparison.reference == "sphere" ? 10.0 : 90.0;
     render("thesis_normals.png", comparison.normal_error, {"angle to the exact normal [deg]", 0.0, most_degrees},
@@ -173,4 +173,4 @@ void write_comparison_pictures(const std::filesystem::path& folder, const Model&
            fmt::format("Layer by eq. 24 with lambda = {:g}, and where it is wrong", comparison.thesis.lambda));
 }
 
-} // namespace corticle
+} // namespace corticle::study

@@ -23,7 +23,7 @@
 #include <chrono>
 #include <numeric>
 
-namespace corticle
+namespace corticle::study
 {
 
 namespace
@@ -46,7 +46,7 @@ std::vector<std::string> written_files(const PrepareRequest& request, bool with_
     std::vector<std::string> all(files.begin(), files.end());
     if (with_pictures)
     {
-        std::ranges::transform(body_pictures, std::back_inserter(all), picture);
+        std::ranges::transform(view::body_pictures, std::back_inserter(all), picture);
     }
     if (with_pictures && request.compare_thesis)
     {
@@ -55,14 +55,14 @@ std::vector<std::string> written_files(const PrepareRequest& request, bool with_
     return all;
 }
 
-void require_free_folder(const ResultFolder& folder, const PrepareRequest& request)
+void require_free_folder(const record::ResultFolder& folder, const PrepareRequest& request)
 {
     if (folder.is_used() && !request.overwrite)
     {
         throw InputError(fmt::format(
             "{}: holds a prepared body already; expected another folder, or --overwrite to replace it", folder.name()));
     }
-    folder.require_free(written_files(request, request.options.output.pictures == PictureRule::on));
+    folder.require_free(written_files(request, request.options.output.pictures == config::PictureRule::on));
 }
 
 std::vector<double> flattened(std::span<const Vec3> vectors)
@@ -96,47 +96,48 @@ std::int64_t genus(const TriangleMesh& surface)
 }
 
 /// Files of the body that ParaView opens.
-void write_views(const fs::path& out, const Model& model, std::span<const double> theta, const BodyQuality& quality)
+void write_views(const fs::path& out, const model::Model& model, std::span<const double> theta,
+                 const view::BodyQuality& quality)
 {
-    const TissueFields& tissue = model.tissue;
+    const material::TissueFields& tissue = model.tissue;
     const std::vector<double> normal = flattened(tissue.normal);
     std::vector<std::int32_t> ids(model.cloud.positions.size());
     std::iota(ids.begin(), ids.end(), 0);
-    std::vector fields{Field{"theta", 1, theta},
-                       Field{"depth", 1, tissue.depth},
-                       Field{"normal", 3, normal},
-                       Field{"volume", 1, model.cloud.volumes},
-                       Field{"regional_growth", 1, tissue.regional_rate},
-                       Field{"nearest_distance", 1, quality.nearest_distance},
-                       Field{"volume_over_mean", 1, quality.volume_over_mean},
-                       Field{"condition_number", 1, quality.condition_number}};
+    std::vector fields{formats::Field{"theta", 1, theta},
+                       formats::Field{"depth", 1, tissue.depth},
+                       formats::Field{"normal", 3, normal},
+                       formats::Field{"volume", 1, model.cloud.volumes},
+                       formats::Field{"regional_growth", 1, tissue.regional_rate},
+                       formats::Field{"nearest_distance", 1, quality.nearest_distance},
+                       formats::Field{"volume_over_mean", 1, quality.volume_over_mean},
+                       formats::Field{"condition_number", 1, quality.condition_number}};
     for (const auto& [name, values] :
          {std::pair{"thickness", &tissue.thickness}, std::pair{"growth_onset", &tissue.growth_onset},
           std::pair{"growth_rate", &tissue.growth_rate}})
     {
         if (!values->empty())
         {
-            fields.push_back(Field{name, 1, *values});
+            fields.push_back(formats::Field{name, 1, *values});
         }
     }
-    write_particles_vtu(out / "particles.vtu", model.cloud.positions, ids, fields);
+    formats::write_particles_vtu(out / "particles.vtu", model.cloud.positions, ids, fields);
 
     const std::vector<double> growth = surface_values(model.cloud, tissue.regional_rate);
     const std::vector<double> thickness =
         tissue.thickness.empty() ? std::vector<double>{} : surface_values(model.cloud, tissue.thickness);
-    std::vector surface_fields{Field{"regional_growth", 1, growth}};
+    std::vector surface_fields{formats::Field{"regional_growth", 1, growth}};
     if (!thickness.empty())
     {
-        surface_fields.push_back(Field{"thickness", 1, thickness});
+        surface_fields.push_back(formats::Field{"thickness", 1, thickness});
     }
-    write_surface_vtp(out / "surface.vtp", model.surface.vertices, model.surface.triangles, surface_fields);
+    formats::write_surface_vtp(out / "surface.vtp", model.surface.vertices, model.surface.triangles, surface_fields);
 }
 
-Json report_json(const Preparation& made, std::span<const double> theta, const Options& options,
-                 const BodyQuality& quality, double seconds)
+Json report_json(const prepare::Preparation& made, std::span<const double> theta, const config::Options& options,
+                 const view::BodyQuality& quality, double seconds)
 {
-    const Model& model = made.model;
-    const CloudQuality cloud = measure_quality(model.cloud);
+    const model::Model& model = made.model;
+    const cloud::CloudQuality cloud = cloud::measure_quality(model.cloud);
     Json j;
     j["source"] = made.report.source;
     j["particles"] = model.cloud.positions.size();
@@ -160,13 +161,13 @@ Json report_json(const Preparation& made, std::span<const double> theta, const O
     j["closest_pair_spacings"] = cloud.closest_pair_spacings;
     j["volume_over_mean"] = {cloud.smallest_volume / cloud.mean_volume, cloud.largest_volume / cloud.mean_volume};
     j["worst_condition_number"] = *std::max_element(quality.condition_number.begin(), quality.condition_number.end());
-    j["cortex_volume_share"] = cortex_share(model, theta);
-    j.update(Json::parse(reports_json(made.report.inputs)));
+    j["cortex_volume_share"] = view::cortex_share(model, theta);
+    j.update(Json::parse(prepare::reports_json(made.report.inputs)));
     j["notes"] = made.report.notes;
     j["warnings"] = made.report.warnings;
     j["seconds"] = seconds;
-    j["peak_memory_mb"] = peak_memory_mb();
-    j["inputs"] = Json::parse(inputs_json(options));
+    j["peak_memory_mb"] = record::peak_memory_mb();
+    j["inputs"] = Json::parse(record::inputs_json(options));
     j["version"] = program_version();
     return j;
 }
@@ -203,15 +204,16 @@ std::string prepare(const PrepareRequest& request)
 {
     const auto start = std::chrono::steady_clock::now();
     set_thread_count(request.threads);
-    ResultFolder folder(request.out, "prepared body");
+    record::ResultFolder folder(request.out, "prepared body");
     require_free_folder(folder, request);
-    Preparation made = arrange_body(request.options);
-    connect_body(request.options, made);
-    const Model& model = made.model;
+    prepare::Preparation made = prepare::arrange_body(request.options);
+    prepare::connect_body(request.options, made);
+    const model::Model& model = made.model;
     const std::vector<double> theta =
-        start_tissue(model.tissue, request.options.tissue, cortex_size(request.options), request.options.time.start)
+        material::start_tissue(model.tissue, request.options.tissue, model::cortex_size(request.options),
+                               request.options.time.start)
             .theta;
-    const BodyQuality quality = measure_body_quality(model);
+    const view::BodyQuality quality = view::measure_body_quality(model);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     Json report = report_json(made, theta, request.options, quality, seconds);
     std::optional<PreparationComparison> comparison;
@@ -225,20 +227,20 @@ std::string prepare(const PrepareRequest& request)
     require_free_folder(folder, request); // again: the body may have taken a while
     folder.remove_written();
     std::string reason;
-    const bool draws = request.options.output.pictures == PictureRule::on && can_render(reason);
+    const bool draws = request.options.output.pictures == config::PictureRule::on && view::can_render(reason);
     folder.claim(written_files(request, draws));
-    write_body(request.out / "body.h5", made, request.options);
-    write_text_atomically(request.out / "case.toml", to_toml(request.options));
+    record::write_body(request.out / "body.h5", made, request.options);
+    formats::write_text_atomically(request.out / "case.toml", config::to_toml(request.options));
     write_views(request.out, model, theta, quality);
     if (draws)
     {
-        render_body(request.out / "pictures", model, theta, quality);
+        view::render_body(request.out / "pictures", model, theta, quality);
     }
     if (draws && comparison)
     {
         write_comparison_pictures(request.out / "pictures", model, *comparison);
     }
-    write_text_atomically(request.out / "preparation.json", report.dump(2) + "\n");
+    formats::write_text_atomically(request.out / "preparation.json", report.dump(2) + "\n");
     std::string text = report_text(report);
     if (comparison)
     {
@@ -251,4 +253,4 @@ std::string prepare(const PrepareRequest& request)
     return text;
 }
 
-} // namespace corticle
+} // namespace corticle::study

@@ -6,13 +6,13 @@
 #include <filesystem>
 #include <string>
 
-namespace corticle
+namespace corticle::study
 {
 
 /// What `corticle prepare` was asked for.
 struct PrepareRequest
 {
-    Options options;
+    config::Options options;
     std::filesystem::path out;
     int threads = 0;             ///< 0: all cores
     bool overwrite = false;      ///< replace what an earlier preparation left there
@@ -24,4 +24,4 @@ struct PrepareRequest
 /// @throws InputError before anything is written; RunError when something cannot be written
 std::string prepare(const PrepareRequest& request);
 
-} // namespace corticle
+} // namespace corticle::study

@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace corticle
+namespace corticle::study
 {
 
 namespace
@@ -49,7 +49,7 @@ Place parse_place(const std::string& text)
         place.is_week = false;
         number.remove_prefix(2);
     }
-    if (!to_number(number, place.value) || !std::isfinite(place.value))
+    if (!formats::to_number(number, place.value) || !std::isfinite(place.value))
     {
         refuse(fmt::format("\"{}\" is not a number", number));
     }
@@ -59,16 +59,16 @@ Place parse_place(const std::string& text)
 /// Growth time to place on the axis.
 struct Axis
 {
-    const NumberColumn* t;
-    const NumberColumn* week; ///< null: the run has no clock, and the axis is t
+    const formats::NumberColumn* t;
+    const formats::NumberColumn* week; ///< null: the run has no clock, and the axis is t
 
     double place_of_t(double growth_time) const
     {
-        return week == nullptr ? growth_time : interpolate(t->values, week->values, growth_time);
+        return week == nullptr ? growth_time : metrics::interpolate(t->values, week->values, growth_time);
     }
 };
 
-Axis axis_of(const RunContents& run)
+Axis axis_of(const record::RunContents& run)
 {
     Axis axis{run.measures.find("t"), run.measures.find("week")};
     if (axis.week != nullptr && std::ranges::all_of(axis.week->values, [](double week) { return std::isnan(week); }))
@@ -117,14 +117,14 @@ void require_common_places(const RealComparison& comparison)
     }
 }
 
-std::vector<SurfaceRow> measure_frame(const FrameFiles& frame)
+std::vector<metrics::SurfaceRow> measure_frame(const record::FrameFiles& frame)
 {
-    const TriangleMesh surface = read_surface_vtp(frame.surface).mesh;
+    const TriangleMesh surface = formats::read_surface_vtp(frame.surface).mesh;
     if (surface.triangles.empty() || !std::all_of(surface.vertices.begin(), surface.vertices.end(), is_finite))
     {
         throw InputError(fmt::format("{}: not a surface with finite coordinates", frame.surface.string()));
     }
-    return surface_rows(surface.vertices, surface.triangles);
+    return metrics::surface_rows(surface.vertices, surface.triangles);
 }
 
 } // namespace
@@ -132,11 +132,11 @@ std::vector<SurfaceRow> measure_frame(const FrameFiles& frame)
 double RealComparison::run_value(std::size_t row, const RealSurface& real) const
 {
     std::vector<double> values;
-    for (const std::vector<SurfaceRow>& rows : run_rows)
+    for (const std::vector<metrics::SurfaceRow>& rows : run_rows)
     {
         values.push_back(rows[row].value);
     }
-    return interpolate(places, values, real.place);
+    return metrics::interpolate(places, values, real.place);
 }
 
 std::vector<std::string> RealComparison::warnings() const
@@ -154,7 +154,7 @@ std::vector<std::string> RealComparison::warnings() const
 
 RealComparison compare_with_real(const ComparisonRequest& request)
 {
-    const RunContents run = read_run(request.run);
+    const record::RunContents run = record::read_run(request.run);
     const Axis axis = axis_of(run);
     RealComparison result;
     result.run_name = fs::absolute(request.run / ".").lexically_normal().parent_path().filename().string();
@@ -164,8 +164,8 @@ RealComparison compare_with_real(const ComparisonRequest& request)
     {
         result.reals.push_back(measure_real(name, axis, request.real));
     }
-    std::vector<FrameFiles> frames;
-    for (const FrameFiles& frame : run.frames)
+    std::vector<record::FrameFiles> frames;
+    for (const record::FrameFiles& frame : run.frames)
     {
         const double place = axis.place_of_t(frame.t);
         if (std::isfinite(place)) // the table may lag behind the frames while the run goes on
@@ -180,11 +180,11 @@ RealComparison compare_with_real(const ComparisonRequest& request)
             fmt::format("{}: measures.csv covers none of the frames; expected a row for each", request.run.string()));
     }
     require_common_places(result);
-    for (const FrameFiles& frame : frames)
+    for (const record::FrameFiles& frame : frames)
     {
         result.run_rows.push_back(measure_frame(frame));
     }
     return result;
 }
 
-} // namespace corticle
+} // namespace corticle::study

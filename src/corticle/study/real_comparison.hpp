@@ -5,7 +5,7 @@
 #include "corticle/record/run_reader.hpp"
 #include "corticle/study/comparison.hpp"
 
-namespace corticle
+namespace corticle::study
 {
 
 /// A real surface at its week, or at a growth time.
@@ -13,7 +13,7 @@ struct RealSurface
 {
     std::string name;   ///< as given: FILE@WEEK or FILE@t=T
     double place = 0.0; ///< on the axis of the comparison
-    std::vector<SurfaceRow> rows;
+    std::vector<metrics::SurfaceRow> rows;
     std::vector<std::string> notes;    ///< of its file, one line each
     std::vector<std::string> warnings; ///< the same
 };
@@ -23,9 +23,9 @@ struct RealComparison
 {
     std::string run_name;
     std::filesystem::path run_folder;
-    std::string axis;                              ///< "week" | "t"
-    std::vector<double> places;                    ///< output times of the run on the axis; ascends
-    std::vector<std::vector<SurfaceRow>> run_rows; ///< at these
+    std::string axis;                                       ///< "week" | "t"
+    std::vector<double> places;                             ///< output times of the run on the axis; ascends
+    std::vector<std::vector<metrics::SurfaceRow>> run_rows; ///< at these
     std::vector<RealSurface> reals;
 
     /// Measure number `row` of the run, interpolated linearly to a real surface's place; NaN where the run
@@ -55,4 +55,4 @@ std::string comparison_report(const RealComparison& comparison, const Pictures& 
 /// Some lines for the terminal.
 std::string comparison_summary(const RealComparison& comparison);
 
-} // namespace corticle
+} // namespace corticle::study

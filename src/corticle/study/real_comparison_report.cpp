@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-namespace corticle
+namespace corticle::study
 {
 
 namespace
@@ -22,10 +22,10 @@ constexpr const char* measures_plot = "measures.png";
 using Json = nlohmann::ordered_json;
 
 /// The run less the real surface, in percent or, of shares, as it is.
-std::string shown_difference(const SurfaceRow& real, double run)
+std::string shown_difference(const metrics::SurfaceRow& real, double run)
 {
-    return is_share(real.key) ? table_difference(run - real.value)
-                              : table_percent(telling_percent(real.key, real.value, run));
+    return metrics::is_share(real.key) ? table_difference(run - real.value)
+                                       : table_percent(metrics::telling_percent(real.key, real.value, run));
 }
 
 /// What reading the file noted and warned about.
@@ -74,25 +74,25 @@ Json real_json(const RealComparison& comparison, const RealSurface& real)
             {"real", real.rows[k].value},
             {"run", run},
             {"difference", run - real.rows[k].value},
-            {"difference_percent", telling_percent(real.rows[k].key, real.rows[k].value, run)}};
+            {"difference_percent", metrics::telling_percent(real.rows[k].key, real.rows[k].value, run)}};
     }
     json["notes"] = real.notes;
     json["warnings"] = real.warnings;
     return json;
 }
 
-std::vector<Panel> panels_of(const RealComparison& comparison)
+std::vector<view::Panel> panels_of(const RealComparison& comparison)
 {
-    std::vector<Panel> panels;
+    std::vector<view::Panel> panels;
     for (std::size_t k = 0; k < comparison.reals.front().rows.size(); ++k)
     {
-        const SurfaceRow& row = comparison.reals.front().rows[k];
-        Curve run{"run", comparison.places, {}};
-        for (const std::vector<SurfaceRow>& rows : comparison.run_rows)
+        const metrics::SurfaceRow& row = comparison.reals.front().rows[k];
+        view::Curve run{"run", comparison.places, {}};
+        for (const std::vector<metrics::SurfaceRow>& rows : comparison.run_rows)
         {
             run.y.push_back(rows[k].value);
         }
-        Curve reals{"real", {}, {}, true};
+        view::Curve reals{"real", {}, {}, true};
         for (const RealSurface& real : comparison.reals)
         {
             reals.x.push_back(real.place);
@@ -113,7 +113,7 @@ std::vector<std::string> comparison_pictures(const RealComparison& /*comparison*
 
 void draw_comparison(const std::filesystem::path& folder, const RealComparison& comparison)
 {
-    render_plot(folder / measures_plot, panels_of(comparison), comparison.run_name + " beside real surfaces");
+    view::render_plot(folder / measures_plot, panels_of(comparison), comparison.run_name + " beside real surfaces");
 }
 
 std::string comparison_json(const RealComparison& comparison, const Pictures& pictures)
@@ -124,9 +124,9 @@ std::string comparison_json(const RealComparison& comparison, const Pictures& pi
     json["axis"] = comparison.axis;
     json[comparison.axis] = comparison.places;
     json["run_measures"] = Json::object();
-    for (const std::vector<SurfaceRow>& rows : comparison.run_rows)
+    for (const std::vector<metrics::SurfaceRow>& rows : comparison.run_rows)
     {
-        for (const SurfaceRow& row : rows)
+        for (const metrics::SurfaceRow& row : rows)
         {
             json["run_measures"][row.key].push_back(row.value);
         }
@@ -176,4 +176,4 @@ std::string comparison_summary(const RealComparison& comparison)
     return text;
 }
 
-} // namespace corticle
+} // namespace corticle::study

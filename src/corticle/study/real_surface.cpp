@@ -11,7 +11,7 @@
 
 #include <algorithm>
 
-namespace corticle
+namespace corticle::study
 {
 
 namespace
@@ -23,9 +23,9 @@ constexpr double least_wave_height_in_voxels = 0.15;
 
 } // namespace
 
-MaskOptions measuring_mask()
+imaging::MaskOptions measuring_mask()
 {
-    MaskOptions mask;
+    imaging::MaskOptions mask;
     mask.closing_mm = 0.0;
     mask.smoothing_mm = 0.7;
     return mask;
@@ -34,9 +34,10 @@ MaskOptions measuring_mask()
 RealSurfaceReading read_real_surface(const std::filesystem::path& file, const RealSurfaceOptions& options)
 {
     RealSurfaceReading reading;
-    if (is_nifti(file))
+    if (formats::is_nifti(file))
     {
-        ImagedSurface imaged = read_label_surface(file, options.mask, options.coordinates, reading.notes);
+        imaging::ImagedSurface imaged =
+            prepare::read_label_surface(file, options.mask, options.coordinates, reading.notes);
         reading.surface = std::move(imaged.surface);
         reading.warnings = std::move(imaged.report.warnings);
         const Vec3& edges = imaged.report.voxel_mm;
@@ -49,15 +50,16 @@ RealSurfaceReading read_real_surface(const std::filesystem::path& file, const Re
                                      "--labels",
                                      file.string()));
     }
-    reading.surface = read_surface(file, {millimetres_per(options.unit), options.coordinates, &reading.notes});
-    require_valid_surface(reading.surface, file.string());
+    reading.surface =
+        formats::read_surface(file, {formats::millimetres_per(options.unit), options.coordinates, &reading.notes});
+    geometry::require_valid_surface(reading.surface, file.string());
     return reading;
 }
 
-std::vector<SurfaceRow> surface_rows(const RealSurfaceReading& reading, FoldOptions options)
+std::vector<metrics::SurfaceRow> surface_rows(const RealSurfaceReading& reading, metrics::FoldOptions options)
 {
     options.least_wave_height_mm = least_wave_height_in_voxels * reading.voxel_mm;
-    return surface_rows(reading.surface.vertices, reading.surface.triangles, options);
+    return metrics::surface_rows(reading.surface.vertices, reading.surface.triangles, options);
 }
 
-} // namespace corticle
+} // namespace corticle::study

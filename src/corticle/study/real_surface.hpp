@@ -11,19 +11,19 @@
 #include <string>
 #include <vector>
 
-namespace corticle
+namespace corticle::study
 {
 
 /// How labels become a surface to be measured: smoothed as little as keeps the steps of voxels out of the area, and
 /// not closed, so that open sulci count.
-MaskOptions measuring_mask();
+imaging::MaskOptions measuring_mask();
 
 /// How a real brain is read.
 struct RealSurfaceOptions
 {
-    UnitOfLength unit = UnitOfLength::mm; ///< of surface files
-    Coordinates coordinates = Coordinates::scanner;
-    MaskOptions mask = measuring_mask(); ///< of label volumes
+    formats::UnitOfLength unit = formats::UnitOfLength::mm; ///< of surface files
+    formats::Coordinates coordinates = formats::Coordinates::scanner;
+    imaging::MaskOptions mask = measuring_mask(); ///< of label volumes
 };
 
 /// A closed surface to be measured [mm], and what is to be known of it.
@@ -41,6 +41,6 @@ struct RealSurfaceReading
 RealSurfaceReading read_real_surface(const std::filesystem::path& file, const RealSurfaceOptions& options);
 
 /// All measures of a real surface. The stairs of voxels are not folds: waves no higher than they do not count.
-std::vector<SurfaceRow> surface_rows(const RealSurfaceReading& reading, FoldOptions options = {});
+std::vector<metrics::SurfaceRow> surface_rows(const RealSurfaceReading& reading, metrics::FoldOptions options = {});
 
-} // namespace corticle
+} // namespace corticle::study

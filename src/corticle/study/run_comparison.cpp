@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace corticle
+namespace corticle::study
 {
 
 namespace
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 constexpr double same_time = 1e-9;
 constexpr double near_time = 0.01; // share of the common time by which frames that are compared may lie apart
 
-const std::vector<double>& times_of(const RunContents& run)
+const std::vector<double>& times_of(const record::RunContents& run)
 {
     return run.measures.find("t")->values;
 }
@@ -31,7 +31,7 @@ struct Interval
     double end;
 };
 
-Interval common_interval(const std::array<RunContents, 2>& runs)
+Interval common_interval(const std::array<record::RunContents, 2>& runs)
 {
     const std::vector<double>& a = times_of(runs[0]);
     const std::vector<double>& b = times_of(runs[1]);
@@ -46,10 +46,10 @@ Interval common_interval(const std::array<RunContents, 2>& runs)
     return common;
 }
 
-std::vector<double> common_times(const std::array<RunContents, 2>& runs, const Interval& common)
+std::vector<double> common_times(const std::array<record::RunContents, 2>& runs, const Interval& common)
 {
     std::vector<double> times;
-    for (const RunContents& run : runs)
+    for (const record::RunContents& run : runs)
     {
         std::copy_if(times_of(run).begin(), times_of(run).end(), std::back_inserter(times),
                      [&](double t) { return t >= common.begin && t <= common.end; });
@@ -61,7 +61,7 @@ std::vector<double> common_times(const std::array<RunContents, 2>& runs, const I
 }
 
 /// As the weeks of a run without a clock.
-bool holds_no_numbers(const NumberColumn& column)
+bool holds_no_numbers(const formats::NumberColumn& column)
 {
     return std::ranges::all_of(column.values, [](double value) { return std::isnan(value); });
 }
@@ -79,14 +79,14 @@ double largest_magnitude(const MeasurePair& pair)
     return largest;
 }
 
-std::vector<MeasurePair> compare_measures(const std::array<RunContents, 2>& runs, std::span<const double> times)
+std::vector<MeasurePair> compare_measures(const std::array<record::RunContents, 2>& runs, std::span<const double> times)
 {
     std::vector<MeasurePair> pairs;
-    for (const NumberColumn& a : runs[0].measures.columns)
+    for (const formats::NumberColumn& a : runs[0].measures.columns)
     {
         const auto& others = runs[1].measures.columns;
         const auto b = std::find_if(others.begin(), others.end(),
-                                    [&](const NumberColumn& other)
+                                    [&](const formats::NumberColumn& other)
                                     { return measure_key(other) == measure_key(a) && other.unit == a.unit; });
         if (a.key == "t" || b == others.end() || holds_no_numbers(a) || holds_no_numbers(*b))
         {
@@ -95,36 +95,36 @@ std::vector<MeasurePair> compare_measures(const std::array<RunContents, 2>& runs
         MeasurePair pair{measure_key(a), a.unit, {}, {}};
         for (const double t : times)
         {
-            pair.values[0].push_back(interpolate(times_of(runs[0]), a.values, t));
-            pair.values[1].push_back(interpolate(times_of(runs[1]), b->values, t));
+            pair.values[0].push_back(metrics::interpolate(times_of(runs[0]), a.values, t));
+            pair.values[1].push_back(metrics::interpolate(times_of(runs[1]), b->values, t));
         }
         const double scale = largest_magnitude(pair);
         for (std::size_t k = 0; k < times.size(); ++k)
         {
-            pair.percent.push_back(telling_percent(pair.key, pair.values[0][k], pair.values[1][k], scale));
+            pair.percent.push_back(metrics::telling_percent(pair.key, pair.values[0][k], pair.values[1][k], scale));
         }
         pairs.push_back(std::move(pair));
     }
     return pairs;
 }
 
-std::size_t nearest_frame(std::span<const FrameFiles> frames, double t)
+std::size_t nearest_frame(std::span<const record::FrameFiles> frames, double t)
 {
     return static_cast<std::size_t>(std::min_element(frames.begin(), frames.end(),
-                                                     [&](const FrameFiles& a, const FrameFiles& b)
+                                                     [&](const record::FrameFiles& a, const record::FrameFiles& b)
                                                      { return std::abs(a.t - t) < std::abs(b.t - t); }) -
                                     frames.begin());
 }
 
 /// Frames of both runs that lie nearest to each other, and near enough.
-std::vector<FramePair> common_frames(const std::array<RunContents, 2>& runs, const Interval& common)
+std::vector<FramePair> common_frames(const std::array<record::RunContents, 2>& runs, const Interval& common)
 {
     std::vector<FramePair> pairs;
     const double tolerance = std::max(same_time, near_time * (common.end - common.begin));
     for (std::size_t i = 0; i < runs[0].frames.size(); ++i)
     {
-        const FrameFiles& a = runs[0].frames[i];
-        const FrameFiles& b = runs[1].frames[nearest_frame(runs[1].frames, a.t)];
+        const record::FrameFiles& a = runs[0].frames[i];
+        const record::FrameFiles& b = runs[1].frames[nearest_frame(runs[1].frames, a.t)];
         if (nearest_frame(runs[0].frames, b.t) == i && std::abs(a.t - b.t) <= tolerance)
         {
             pairs.push_back({{a, b}, {}, {}});
@@ -139,18 +139,20 @@ std::vector<FramePair> common_frames(const std::array<RunContents, 2>& runs, con
     return pairs;
 }
 
-FieldDifference compare_J(const std::array<Frame, 2>& frames)
+metrics::FieldDifference compare_J(const std::array<record::Frame, 2>& frames)
 {
     const std::array J{volume_ratios(frames[0]), volume_ratios(frames[1])};
-    return mean_difference({frames[0].origins, J[0], frames[0].spacing}, {frames[1].origins, J[1], frames[1].spacing});
+    return metrics::mean_difference({frames[0].origins, J[0], frames[0].spacing},
+                                    {frames[1].origins, J[1], frames[1].spacing});
 }
 
 void compare_frames(FramePair& pair, std::array<std::size_t, 2>& particles)
 {
-    const std::array frames{read_frame(pair.files[0]), read_frame(pair.files[1])};
+    const std::array frames{record::read_frame(pair.files[0]), record::read_frame(pair.files[1])};
     particles = {frames[0].F.size(), frames[1].F.size()};
     pair.J = compare_J(frames);
-    pair.surface = surface_distance({frames[0].surface, frames[0].triangles}, {frames[1].surface, frames[1].triangles});
+    pair.surface =
+        metrics::surface_distance({frames[0].surface, frames[0].triangles}, {frames[1].surface, frames[1].triangles});
 }
 
 std::vector<std::size_t> pictured_frames(std::span<const FramePair> frames, std::span<const double> asked,
@@ -198,13 +200,13 @@ std::array<std::string, 2> names_of(const std::array<fs::path, 2>& folders)
 
 } // namespace
 
-std::string measure_key(const NumberColumn& column)
+std::string measure_key(const formats::NumberColumn& column)
 {
     const bool is_length_or_so = column.unit == "mm" || column.unit == "mm2" || column.unit == "mm3";
     return is_length_or_so && !column.key.ends_with("_" + column.unit) ? column.key + "_" + column.unit : column.key;
 }
 
-std::vector<double> volume_ratios(const Frame& frame)
+std::vector<double> volume_ratios(const record::Frame& frame)
 {
     std::vector<double> J;
     J.reserve(frame.F.size());
@@ -218,7 +220,7 @@ std::vector<double> volume_ratios(const Frame& frame)
 RunComparison compare_runs(const std::array<fs::path, 2>& folders, std::span<const double> picture_times)
 {
     RunComparison result;
-    result.runs = {read_run(folders[0]), read_run(folders[1])};
+    result.runs = {record::read_run(folders[0]), record::read_run(folders[1])};
     result.names = names_of(folders);
     const Interval common = common_interval(result.runs);
     result.times = common_times(result.runs, common);
@@ -234,7 +236,7 @@ RunComparison compare_runs(const std::array<fs::path, 2>& folders, std::span<con
 
 JComparison compare_last_J(const std::array<fs::path, 2>& folders, double latest)
 {
-    const std::array runs{read_run(folders[0]), read_run(folders[1])};
+    const std::array runs{record::read_run(folders[0]), record::read_run(folders[1])};
     std::vector<FramePair> frames = common_frames(runs, common_interval(runs));
     std::erase_if(frames, [&](const FramePair& pair) { return pair.files[0].t > latest + same_time; });
     if (frames.empty())
@@ -243,7 +245,7 @@ JComparison compare_last_J(const std::array<fs::path, 2>& folders, double latest
                                      folders[1].string(), latest));
     }
     const auto& files = frames.back().files;
-    return {{files[0].t, files[1].t}, compare_J({read_frame(files[0]), read_frame(files[1])})};
+    return {{files[0].t, files[1].t}, compare_J({record::read_frame(files[0]), record::read_frame(files[1])})};
 }
 
-} // namespace corticle
+} // namespace corticle::study

@@ -7,7 +7,7 @@
 
 #include <array>
 
-namespace corticle
+namespace corticle::study
 {
 
 /// A measure of two runs at their common times.
@@ -25,16 +25,16 @@ struct MeasurePair
 /// How far two runs differ at one output time.
 struct FramePair
 {
-    std::array<FrameFiles, 2> files;
-    FieldDifference J;
-    SurfaceDistance surface; ///< [mm]
+    std::array<record::FrameFiles, 2> files;
+    metrics::FieldDifference J;
+    metrics::SurfaceDistance surface; ///< [mm]
 };
 
 /// Two runs side by side.
 struct RunComparison
 {
     std::array<std::string, 2> names; ///< different
-    std::array<RunContents, 2> runs;
+    std::array<record::RunContents, 2> runs;
     std::array<std::size_t, 2> particles{};
     std::vector<double> times; ///< output times of either within the time that both cover
     std::vector<MeasurePair> measures;
@@ -44,10 +44,10 @@ struct RunComparison
 
 /// The key of a measure as summary.json writes it, whether the table names the unit in it or not:
 /// ("area", "mm2") and ("area_mm2", "mm2") are "area_mm2".
-std::string measure_key(const NumberColumn& column);
+std::string measure_key(const formats::NumberColumn& column);
 
 /// J = det F of the particles of a frame.
-std::vector<double> volume_ratios(const Frame& frame);
+std::vector<double> volume_ratios(const record::Frame& frame);
 
 /// Compares measures, J and surfaces of two run folders.
 /// @param picture_times  growth times to draw; empty: half and end
@@ -58,7 +58,7 @@ RunComparison compare_runs(const std::array<std::filesystem::path, 2>& folders, 
 struct JComparison
 {
     std::array<double, 2> t{}; ///< of the frames
-    FieldDifference J;
+    metrics::FieldDifference J;
 };
 
 /// Compares J of two run folders at their last common output time, of those not after `latest`.
@@ -80,4 +80,4 @@ std::string comparison_report(const RunComparison& comparison, const Pictures& p
 /// Some lines for the terminal: the differences at the last common time.
 std::string comparison_summary(const RunComparison& comparison);
 
-} // namespace corticle
+} // namespace corticle::study

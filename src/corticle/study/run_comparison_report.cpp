@@ -12,7 +12,7 @@
 #include <cmath>
 #include <fstream>
 
-namespace corticle
+namespace corticle::study
 {
 
 namespace
@@ -28,7 +28,7 @@ constexpr std::array described{"status",  "method", "particles", "elements", "sp
                                "onset_t", "steps",  "wall_s",    "threads",  "version"};
 
 /// summary.json of a run; empty while the run goes on.
-Json summary_of(const RunContents& run)
+Json summary_of(const record::RunContents& run)
 {
     std::ifstream stream(run.folder / "summary.json");
     Json summary = Json::parse(stream, nullptr, false);
@@ -211,7 +211,7 @@ Json frame_json(const FramePair& pair)
 
 std::string MeasurePair::shown_difference(std::size_t time) const
 {
-    return is_share(key) ? table_difference(values[1][time] - values[0][time]) : table_percent(percent[time]);
+    return metrics::is_share(key) ? table_difference(values[1][time] - values[0][time]) : table_percent(percent[time]);
 }
 
 std::string comparison_json(const RunComparison& comparison, const Pictures& pictures)
@@ -275,4 +275,4 @@ std::string comparison_summary(const RunComparison& comparison)
                               table_number(last.surface.hausdorff));
 }
 
-} // namespace corticle
+} // namespace corticle::study

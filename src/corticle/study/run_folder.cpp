@@ -24,7 +24,7 @@
 
 #include <future>
 
-namespace corticle
+namespace corticle::study
 {
 
 namespace
@@ -47,21 +47,22 @@ std::shared_ptr<spdlog::logger> make_log(const fs::path& folder, bool quiet)
 /// What is ready before the run folder is touched.
 struct Start
 {
-    Preparation made;
-    std::optional<Restored> restored;
+    prepare::Preparation made;
+    std::optional<record::Restored> restored;
     std::string earlier_versions; ///< of the program, that the checkpoint was made by
     bool draws = false;
     std::string no_pictures; ///< why pictures that were asked for are not drawn
 };
 
-Start prepare_start(const RunRequest& request, std::optional<Checkpoint> checkpoint)
+Start prepare_start(const record::RunRequest& request, std::optional<record::Checkpoint> checkpoint)
 {
     Start start;
-    start.draws = request.options.output.pictures == PictureRule::on && can_render(start.no_pictures);
-    start.made = request.body.empty() ? arrange_body(request.options) : read_body(request.body, request.options);
+    start.draws = request.options.output.pictures == config::PictureRule::on && view::can_render(start.no_pictures);
+    start.made = request.body.empty() ? prepare::arrange_body(request.options)
+                                      : record::read_body(request.body, request.options);
     // The renderer gets ready while the body is connected.
-    std::future<void> renderer = start.draws ? start_renderer() : std::future<void>{};
-    connect_body(request.options, start.made);
+    std::future<void> renderer = start.draws ? view::start_renderer() : std::future<void>{};
+    prepare::connect_body(request.options, start.made);
     if (start.draws)
     {
         renderer.get();
@@ -69,17 +70,18 @@ Start prepare_start(const RunRequest& request, std::optional<Checkpoint> checkpo
     if (checkpoint)
     {
         start.earlier_versions = checkpoint->program_version;
-        start.restored = from_checkpoint(*checkpoint, start.made.model.cloud.positions.size(),
-                                         (request.out / "checkpoint.h5").string());
+        start.restored = record::from_checkpoint(*checkpoint, start.made.model.cloud.positions.size(),
+                                                 (request.out / "checkpoint.h5").string());
     }
     return start;
 }
 
 /// The folder of a run that begins or goes on, without anything of a run that is replaced.
-void open_folder(ResultFolder& folder, const RunRequest& request, const std::string& case_text, bool goes_on)
+void open_folder(record::ResultFolder& folder, const record::RunRequest& request, const std::string& case_text,
+                 bool goes_on)
 {
     folder.make();
-    require_usable_folder(folder, request); // again: the body may have taken a while
+    record::require_usable_folder(folder, request); // again: the body may have taken a while
     if (goes_on)
     {
         folder.remove_leftovers();
@@ -88,22 +90,22 @@ void open_folder(ResultFolder& folder, const RunRequest& request, const std::str
     {
         folder.remove_written();
     }
-    folder.claim(run_files());
-    write_text_atomically(folder.path() / "case.toml", case_text);
+    folder.claim(record::run_files());
+    formats::write_text_atomically(folder.path() / "case.toml", case_text);
 }
 
-std::vector<double> output_times_of(std::span<const Measures> rows)
+std::vector<double> output_times_of(std::span<const metrics::Measures> rows)
 {
     std::vector<double> times;
     times.reserve(rows.size());
-    for (const Measures& row : rows)
+    for (const metrics::Measures& row : rows)
     {
         times.push_back(row.t);
     }
     return times;
 }
 
-std::vector<std::string_view> names_of(std::span<const std::unique_ptr<ForceTerm>> terms)
+std::vector<std::string_view> names_of(std::span<const std::unique_ptr<mechanics::ForceTerm>> terms)
 {
     std::vector<std::string_view> names;
     for (const auto& term : terms)
@@ -113,9 +115,9 @@ std::vector<std::string_view> names_of(std::span<const std::unique_ptr<ForceTerm
     return names;
 }
 
-void log_body(spdlog::logger& log, const Preparation& made)
+void log_body(spdlog::logger& log, const prepare::Preparation& made)
 {
-    const Model& model = made.model;
+    const model::Model& model = made.model;
     const std::string nodes =
         fmt::format("{} {}, {} of them on the surface, spacing {:.4g} mm", model.cloud.positions.size(),
                     model.fem ? "nodes" : "particles", model.cloud.surface_particles.size(), model.cloud.spacing);
@@ -144,7 +146,7 @@ void log_body(spdlog::logger& log, const Preparation& made)
     }
 }
 
-void log_start(spdlog::logger& log, const RunRequest& request, const Start& start, const std::string& versions)
+void log_start(spdlog::logger& log, const record::RunRequest& request, const Start& start, const std::string& versions)
 {
     log.info("corticle {}, {} threads", program_version(), thread_count());
     for (const auto& [key, checksum] : request.options.inputs)
@@ -162,18 +164,18 @@ void log_start(spdlog::logger& log, const RunRequest& request, const Start& star
     {
         log.warn("no pictures: {}", start.no_pictures);
     }
-    for (const std::string& warning : start.restored ? dropped_outputs(request.options, start.restored->state.t,
-                                                                       output_times_of(start.restored->rows))
-                                                     : case_warnings(request.options))
+    for (const std::string& warning : start.restored ? config::dropped_outputs(request.options, start.restored->state.t,
+                                                                               output_times_of(start.restored->rows))
+                                                     : config::case_warnings(request.options))
     {
         log.warn(warning);
     }
 }
 
 /// Output times that are not recorded yet.
-std::vector<double> times_left(const Options& options, std::span<const Measures> recorded)
+std::vector<double> times_left(const config::Options& options, std::span<const metrics::Measures> recorded)
 {
-    std::vector<double> times = output_times(options);
+    std::vector<double> times = record::output_times(options);
     std::erase_if(times, [&](double t) { return !recorded.empty() && recorded.back().t >= t; });
     return times;
 }
@@ -181,47 +183,49 @@ std::vector<double> times_left(const Options& options, std::span<const Measures>
 /// A run as its folder shows it: who looks at it.
 struct Observers
 {
-    Observers(const RunRequest& request, const Start& start, ResultFolder& folder, const std::string& versions,
-              const std::shared_ptr<spdlog::logger>& log, Recorder::Clock::time_point began)
-        : measuring(start.restored ? start.restored->rows : std::vector<Measures>{}),
+    Observers(const record::RunRequest& request, const Start& start, record::ResultFolder& folder,
+              const std::string& versions, const std::shared_ptr<spdlog::logger>& log,
+              record::Recorder::Clock::time_point began)
+        : measuring(start.restored ? start.restored->rows : std::vector<metrics::Measures>{}),
           recorder(request, start.made.report, folder, versions, log, began, measuring),
-          pictures(folder, picture_flags(request.options, output_times(request.options)), measuring, recorder),
-          checkpointer(request.out, to_toml(request.options), versions, request.options.output.checkpoint_minutes,
-                       measuring, recorder.output_seconds()),
+          pictures(folder, record::picture_flags(request.options, record::output_times(request.options)), measuring,
+                   recorder),
+          checkpointer(request.out, config::to_toml(request.options), versions,
+                       request.options.output.checkpoint_minutes, measuring, recorder.output_seconds()),
           draws(start.draws)
     {
     }
 
-    RunStatus watch(Simulation& simulation, const RunRequest& request)
+    model::RunStatus watch(model::Simulation& simulation, const record::RunRequest& request)
     {
-        Progress progress(simulation, request.options.time.end, request.quiet);
-        std::vector<Observer*> all{&progress, &measuring, &recorder};
+        record::Progress progress(simulation, request.options.time.end, request.quiet);
+        std::vector<model::Observer*> all{&progress, &measuring, &recorder};
         if (draws)
         {
             all.push_back(&pictures);
         }
         all.push_back(&checkpointer);
-        return fold(simulation, times_left(request.options, measuring.rows()), measuring.rows().size(), all,
-                    &InterruptionGuard::requested);
+        return model::fold(simulation, times_left(request.options, measuring.rows()), measuring.rows().size(), all,
+                           &InterruptionGuard::requested);
     }
 
-    Measuring measuring;
-    Recorder recorder;
-    PictureObserver pictures;
-    Checkpointer checkpointer;
+    metrics::Measuring measuring;
+    record::Recorder recorder;
+    view::PictureObserver pictures;
+    record::Checkpointer checkpointer;
     bool draws;
 };
 
 /// From the start, or from where it was left, to the end or an interruption. What fails is recorded.
-RunStatus record_run(const RunRequest& request, Start& start, Observers& observers, spdlog::logger& log)
+model::RunStatus record_run(const record::RunRequest& request, Start& start, Observers& observers, spdlog::logger& log)
 {
-    std::optional<Simulation> simulation;
+    std::optional<model::Simulation> simulation;
     const auto fail = [&](const std::string& reason)
     { observers.recorder.record_failure(simulation ? &*simulation : nullptr, reason); };
-    RunStatus status{};
+    model::RunStatus status{};
     try
     {
-        simulation.emplace(std::make_shared<const Model>(std::move(start.made.model)), request.options);
+        simulation.emplace(std::make_shared<const model::Model>(std::move(start.made.model)), request.options);
         log.info("forces: {}", fmt::join(names_of(simulation->terms()), ", "));
         if (start.restored)
         {
@@ -241,21 +245,21 @@ RunStatus record_run(const RunRequest& request, Start& start, Observers& observe
         fail(error.what());
         throw;
     }
-    observers.recorder.summarize(*simulation, status == RunStatus::completed ? "completed" : "interrupted");
+    observers.recorder.summarize(*simulation, status == model::RunStatus::completed ? "completed" : "interrupted");
     return status;
 }
 
 } // namespace
 
-RunStatus simulate(const RunRequest& request)
+model::RunStatus simulate(const record::RunRequest& request)
 {
-    const Recorder::Clock::time_point began = Recorder::Clock::now();
+    const record::Recorder::Clock::time_point began = record::Recorder::Clock::now();
     set_thread_count(request.threads);
-    const std::string case_text = to_toml(request.options);
-    ResultFolder folder(request.out, "run");
-    require_usable_folder(folder, request);
-    Start start = prepare_start(request, find_checkpoint(request, case_text));
-    const std::string versions = versions_after(start.earlier_versions);
+    const std::string case_text = config::to_toml(request.options);
+    record::ResultFolder folder(request.out, "run");
+    record::require_usable_folder(folder, request);
+    Start start = prepare_start(request, record::find_checkpoint(request, case_text));
+    const std::string versions = record::versions_after(start.earlier_versions);
 
     const InterruptionGuard guard;
     open_folder(folder, request, case_text, start.restored.has_value());
@@ -265,4 +269,4 @@ RunStatus simulate(const RunRequest& request)
     return record_run(request, start, observers, *log);
 }
 
-} // namespace corticle
+} // namespace corticle::study

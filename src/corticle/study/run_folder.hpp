@@ -8,12 +8,12 @@
 #include <filesystem>
 #include <string>
 
-namespace corticle
+namespace corticle::study
 {
 
 /// Runs a case into its run folder: frames, measures, pictures, checkpoints, summary.
 /// @throws InputError before anything is written; RunError after, with the diagnosis; the last good checkpoint is kept
-RunStatus simulate(const RunRequest& request);
+model::RunStatus simulate(const record::RunRequest& request);
 
 /// What a run would take, without running it.
 struct Plan
@@ -29,6 +29,6 @@ struct Plan
 };
 
 /// Prepares the body and times a few force evaluations. @throws InputError
-Plan plan(const Options& options, int threads);
+Plan plan(const config::Options& options, int threads);
 
-} // namespace corticle
+} // namespace corticle::study

@@ -8,7 +8,7 @@
 #include <array>
 #include <numeric>
 
-namespace corticle
+namespace corticle::view
 {
 
 namespace
@@ -52,7 +52,7 @@ void render_quality(const std::filesystem::path& png, const BodyQuality& quality
     render_plot(png, panels, "Quality of the cloud");
 }
 
-void measure_tets(const TetElements& elements, BodyQuality& quality)
+void measure_tets(const fem::TetElements& elements, BodyQuality& quality)
 {
     for (const Tet& tet : elements.tets)
     {
@@ -70,10 +70,10 @@ void measure_tets(const TetElements& elements, BodyQuality& quality)
     }
 }
 
-void measure_pairs(const Model& model, BodyQuality& quality)
+void measure_pairs(const model::Model& model, BodyQuality& quality)
 {
     const Cloud& cloud = model.cloud;
-    const PairBlocks& pairs = model.particles.pairs;
+    const tlsph::PairBlocks& pairs = model.particles.pairs;
     parallel_for(std::ssize(cloud.positions),
                  [&](std::int64_t i)
                  {
@@ -84,13 +84,13 @@ void measure_pairs(const Model& model, BodyQuality& quality)
                                             squared_norm(cloud.positions[i] - cloud.positions[pairs.neighbor(i, k)]));
                      }
                      quality.nearest_distance[i] = std::sqrt(nearest) / cloud.spacing;
-                     quality.condition_number[i] = condition_number(model.particles.correction[i]);
+                     quality.condition_number[i] = tlsph::condition_number(model.particles.correction[i]);
                  });
 }
 
 } // namespace
 
-BodyQuality measure_body_quality(const Model& model)
+BodyQuality measure_body_quality(const model::Model& model)
 {
     const std::vector<double>& volumes = model.cloud.volumes;
     const std::size_t count = volumes.size();
@@ -111,7 +111,7 @@ BodyQuality measure_body_quality(const Model& model)
     return quality;
 }
 
-double cortex_share(const Model& model, std::span<const double> theta)
+double cortex_share(const model::Model& model, std::span<const double> theta)
 {
     double cortex = 0.0;
     double total = 0.0;
@@ -123,10 +123,10 @@ double cortex_share(const Model& model, std::span<const double> theta)
     return cortex / total;
 }
 
-void render_body(const std::filesystem::path& folder, const Model& model, std::span<const double> theta,
+void render_body(const std::filesystem::path& folder, const model::Model& model, std::span<const double> theta,
                  const BodyQuality& quality)
 {
-    const TissueFields& tissue = model.tissue;
+    const material::TissueFields& tissue = model.tissue;
     const std::vector<Mat3> rest(model.cloud.positions.size(), Mat3::identity());
     const auto [back, front] = std::minmax_element(model.surface.vertices.begin(), model.surface.vertices.end(),
                                                    [](const Vec3& a, const Vec3& b) { return a.y < b.y; });
@@ -165,4 +165,4 @@ void render_body(const std::filesystem::path& folder, const Model& model, std::s
     render_quality(folder / "quality.png", quality);
 }
 
-} // namespace corticle
+} // namespace corticle::view

@@ -6,7 +6,7 @@
 #include <array>
 #include <filesystem>
 
-namespace corticle
+namespace corticle::view
 {
 
 /// How well each particle of a prepared body sits, one number per particle.
@@ -18,18 +18,18 @@ struct BodyQuality
                                           ///< reciprocal of the mean ratio
 };
 
-BodyQuality measure_body_quality(const Model& model);
+BodyQuality measure_body_quality(const model::Model& model);
 
 /// Share of the body's volume that is cortex [-].
 /// @param theta  of the particles [-]
-double cortex_share(const Model& model, std::span<const double> theta);
+double cortex_share(const model::Model& model, std::span<const double> theta);
 
 /// Names of the pictures that render_body draws.
 inline constexpr std::array body_pictures{"cloud.png", "layer.png", "normals.png", "surface.png", "quality.png"};
 
 /// Pictures of a prepared body: `cloud.png` (cells of the middle cut), `layer.png` (depth), `normals.png`, the surface
 /// (`surface.png`, by regional growth, or by thickness where a map gives it), and `quality.png` (histograms).
-void render_body(const std::filesystem::path& folder, const Model& model, std::span<const double> theta,
+void render_body(const std::filesystem::path& folder, const model::Model& model, std::span<const double> theta,
                  const BodyQuality& quality);
 
-} // namespace corticle
+} // namespace corticle::view

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <span>
 
-namespace corticle
+namespace corticle::view
 {
 
 namespace
@@ -62,4 +62,4 @@ Color map_color(const std::string& map, double fraction)
     return color;
 }
 
-} // namespace corticle
+} // namespace corticle::view

@@ -4,7 +4,7 @@
 #include <array>
 #include <string>
 
-namespace corticle
+namespace corticle::view
 {
 
 /// Red, green, blue, each from 0 to 1.
@@ -14,4 +14,4 @@ using Color = std::array<double, 3>;
 /// "tissue" (white matter, a pale blue-grey, to cortex, a warm red). Another name gives viridis.
 Color map_color(const std::string& map, double fraction);
 
-} // namespace corticle
+} // namespace corticle::view

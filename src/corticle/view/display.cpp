@@ -19,7 +19,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace corticle
+namespace corticle::view
 {
 
 namespace
@@ -229,4 +229,4 @@ void require_display(const std::filesystem::path& png)
     }
 }
 
-} // namespace corticle
+} // namespace corticle::view

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-namespace corticle
+namespace corticle::view
 {
 
 /// Makes DISPLAY name an X server that can draw (GLX): the one it names already, else an Xvfb started for this process
@@ -16,4 +16,4 @@ bool ensure_display(std::string& reason);
 /// @throws RunError naming `png` when nothing can be drawn.
 void require_display(const std::filesystem::path& png);
 
-} // namespace corticle
+} // namespace corticle::view

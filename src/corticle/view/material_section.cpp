@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace corticle
+namespace corticle::view
 {
 
 namespace
@@ -288,4 +288,4 @@ std::vector<std::int32_t> material_particles(const CutInput& input, const PixelG
     return shown;
 }
 
-} // namespace corticle
+} // namespace corticle::view

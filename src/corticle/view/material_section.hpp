@@ -4,7 +4,7 @@
 #include "corticle/view/pictures.hpp"
 #include "corticle/view/plane_section.hpp"
 
-namespace corticle
+namespace corticle::view
 {
 
 /// For each pixel of the mask the particle that the material there is nearest to; -1 outside the mask, and everywhere
@@ -19,4 +19,4 @@ namespace corticle
 std::vector<std::int32_t> material_particles(const CutInput& input, const PixelGrid& grid,
                                              std::span<const std::uint8_t> mask);
 
-} // namespace corticle
+} // namespace corticle::view

@@ -7,27 +7,27 @@
 
 #include <array>
 
-namespace corticle
+namespace corticle::view
 {
 
-void PictureObserver::on_output(const OutputView& view)
+void PictureObserver::on_output(const model::OutputView& view)
 {
     if (flags_.at(view.number))
     {
         const Stopwatch watch(recorder_.output_seconds());
-        folder_.claim(frame_pictures(recorder_.frame().name));
+        folder_.claim(record::frame_pictures(recorder_.frame().name));
         render_frame(folder_.path(), recorder_.frame());
     }
 }
 
-void PictureObserver::on_end(const Simulation& /*simulation*/, RunStatus status)
+void PictureObserver::on_end(const model::Simulation& /*simulation*/, model::RunStatus status)
 {
-    if (status == RunStatus::completed)
+    if (status == model::RunStatus::completed)
     {
         const Stopwatch watch(recorder_.output_seconds());
-        folder_.claim(std::array{std::string(measures_picture)});
+        folder_.claim(std::array{std::string(record::measures_picture)});
         render_measures(folder_.path(), measuring_.rows());
     }
 }
 
-} // namespace corticle
+} // namespace corticle::view

@@ -6,28 +6,29 @@
 
 #include <vector>
 
-namespace corticle
+namespace corticle::view
 {
 
 /// Draws the pictures of a run, at the outputs that get some and of the measures at its end.
-class PictureObserver final : public Observer
+class PictureObserver final : public model::Observer
 {
   public:
     /// @param flags     of every output by its number: whether it gets pictures
     /// @param recorder  records the same outputs, before this
-    PictureObserver(ResultFolder& folder, std::vector<bool> flags, const Measuring& measuring, Recorder& recorder)
+    PictureObserver(record::ResultFolder& folder, std::vector<bool> flags, const metrics::Measuring& measuring,
+                    record::Recorder& recorder)
         : folder_(folder), flags_(std::move(flags)), measuring_(measuring), recorder_(recorder)
     {
     }
 
-    void on_output(const OutputView& view) override;
-    void on_end(const Simulation& simulation, RunStatus status) override;
+    void on_output(const model::OutputView& view) override;
+    void on_end(const model::Simulation& simulation, model::RunStatus status) override;
 
   private:
-    ResultFolder& folder_;
+    record::ResultFolder& folder_;
     std::vector<bool> flags_;
-    const Measuring& measuring_;
-    Recorder& recorder_;
+    const metrics::Measuring& measuring_;
+    record::Recorder& recorder_;
 };
 
-} // namespace corticle
+} // namespace corticle::view

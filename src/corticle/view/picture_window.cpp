@@ -27,7 +27,7 @@
 #include <array>
 #include <cmath>
 
-namespace corticle
+namespace corticle::view
 {
 
 namespace
@@ -76,7 +76,7 @@ vtkRenderWindow* picture_window(int width, int height)
     // Never deleted: at the end of the program the display may have gone before it.
     static vtkRenderWindow* const window = []
     {
-        silence_vtk();
+        formats::silence_vtk();
         vtkRenderWindow* const made = vtkRenderWindow::New();
         made->SetShowWindow(false);
         made->SetOffScreenRendering(1);
@@ -192,8 +192,8 @@ void write_pngs(std::span<const PngPicture> pictures)
             throw RunError(fmt::format("cannot draw {}: rendering failed", pictures[k].png.string()));
         }
         const auto* bytes = reinterpret_cast<const char*>(result->GetPointer(0));
-        write_text_atomically(pictures[k].png, std::string_view(bytes, static_cast<std::size_t>(size)));
+        formats::write_text_atomically(pictures[k].png, std::string_view(bytes, static_cast<std::size_t>(size)));
     }
 }
 
-} // namespace corticle
+} // namespace corticle::view

@@ -14,7 +14,7 @@ class vtkLookupTable;
 class vtkRenderer;
 class vtkRenderWindow;
 
-namespace corticle
+namespace corticle::view
 {
 
 /// The window in memory that all pictures are drawn in, now of `width` x `height` pixels: to make one takes as long as
@@ -58,4 +58,4 @@ struct PngPicture
 /// Writes PNGs, each whole or not at all; they are compressed concurrently. @throws RunError
 void write_pngs(std::span<const PngPicture> pictures);
 
-} // namespace corticle
+} // namespace corticle::view

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace corticle
+namespace corticle::view
 {
 
 /// Colour scale of a picture.
@@ -122,4 +122,4 @@ struct Panel
 /// Line plots, panels in a grid (three to a row).
 void render_plot(const std::filesystem::path& png, std::span<const Panel> panels, const std::string& title);
 
-} // namespace corticle
+} // namespace corticle::view

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace corticle
+namespace corticle::view
 {
 
 namespace
@@ -255,4 +255,4 @@ std::vector<std::int32_t> nearest_particles(std::span<const Vec3> particles, con
     return nearest;
 }
 
-} // namespace corticle
+} // namespace corticle::view

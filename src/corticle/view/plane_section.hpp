@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace corticle
+namespace corticle::view
 {
 
 /// A coordinate plane; its own axes are the other two in the order x, y, z.
@@ -54,4 +54,4 @@ std::vector<std::uint8_t> inside_mask(std::span<const Segment> outline, const Pi
 std::vector<std::int32_t> nearest_particles(std::span<const Vec3> particles, const Plane& plane, const PixelGrid& grid,
                                             std::span<const std::uint8_t> mask);
 
-} // namespace corticle
+} // namespace corticle::view

@@ -18,7 +18,7 @@
 #include <cmath>
 #include <limits>
 
-namespace corticle
+namespace corticle::view
 {
 
 namespace
@@ -197,4 +197,4 @@ void render_cut_pair(const std::filesystem::path& png, const std::array<CutInput
               });
 }
 
-} // namespace corticle
+} // namespace corticle::view

@@ -24,7 +24,7 @@
 #include <cmath>
 #include <limits>
 
-namespace corticle
+namespace corticle::view
 {
 
 namespace
@@ -231,4 +231,4 @@ void render_plot(const std::filesystem::path& png, std::span<const Panel> panels
     write_pngs(std::array{PngPicture{png, drawn}});
 }
 
-} // namespace corticle
+} // namespace corticle::view

@@ -30,7 +30,7 @@
 #include <cassert>
 #include <limits>
 
-namespace corticle
+namespace corticle::view
 {
 
 namespace
@@ -380,4 +380,4 @@ void render_surface_grid(const std::filesystem::path& png, std::size_t count, st
     write_pngs(std::array{PngPicture{png, draw_renderer(page, width, height)}});
 }
 
-} // namespace corticle
+} // namespace corticle::view

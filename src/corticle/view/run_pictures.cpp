@@ -14,7 +14,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace corticle
+namespace corticle::view
 {
 
 namespace
@@ -23,13 +23,13 @@ namespace
 constexpr double same_time = 1e-9;
 
 /// A run folder whose pictures may be drawn anew.
-ResultFolder claim_pictures(const std::filesystem::path& run, std::span<const FrameFiles> frames)
+record::ResultFolder claim_pictures(const std::filesystem::path& run, std::span<const record::FrameFiles> frames)
 {
-    ResultFolder folder(run, "run", "");
-    std::vector<std::string> files{measures_picture};
-    for (const FrameFiles& frame : frames)
+    record::ResultFolder folder(run, "run", "");
+    std::vector<std::string> files{record::measures_picture};
+    for (const record::FrameFiles& frame : frames)
     {
-        const std::vector<std::string> more = frame_pictures(frame.name());
+        const std::vector<std::string> more = record::frame_pictures(frame.name());
         files.insert(files.end(), more.begin(), more.end());
     }
     folder.claim(files);
@@ -50,7 +50,7 @@ ColorScale robust_scale(std::string label, std::span<const double> values, std::
     return {std::move(label), low, high, std::move(map)};
 }
 
-CutInput middle_cut(const Frame& frame, std::span<const double> scalar)
+CutInput middle_cut(const record::Frame& frame, std::span<const double> scalar)
 {
     const auto [back, front] = std::minmax_element(frame.surface.begin(), frame.surface.end(),
                                                    [](const Vec3& a, const Vec3& b) { return a.y < b.y; });
@@ -66,12 +66,12 @@ CutInput middle_cut(const Frame& frame, std::span<const double> scalar)
             .coordinate = 0.5 * (back->y + front->y)};
 }
 
-void render_frame(const std::filesystem::path& folder, const Frame& frame)
+void render_frame(const std::filesystem::path& folder, const record::Frame& frame)
 {
     const std::string title =
         fmt::format("t = {:.3f}", frame.t) + (std::isnan(frame.week) ? "" : fmt::format(", week {:.1f}", frame.week));
     const auto picture = [&](const std::string& kind, std::span<const double> values, const ColorScale& scale) {
-        return SurfacePicture{folder / surface_picture(kind, frame.name), values, scale};
+        return SurfacePicture{folder / record::surface_picture(kind, frame.name), values, scale};
     };
     ColorScale curvature = robust_scale("mean curvature [1/mm]", frame.mean_curvature, "coolwarm");
     curvature.high = std::max(curvature.high, -curvature.low); // 0 in the middle
@@ -82,16 +82,16 @@ void render_frame(const std::filesystem::path& folder, const Frame& frame)
         picture("sulcal_depth", frame.sulcal_depth, robust_scale("sulcal depth [mm]", frame.sulcal_depth, "viridis")),
         picture("mean_curvature", frame.mean_curvature, curvature)};
     render_surface(frame.surface, frame.triangles, surfaces, title);
-    render_cut(folder / cut_picture(frame.name), middle_cut(frame, frame.particle_growth),
+    render_cut(folder / record::cut_picture(frame.name), middle_cut(frame, frame.particle_growth),
                robust_scale("growth g", frame.particle_growth, "viridis"), title);
 }
 
-void render_measures(const std::filesystem::path& folder, std::span<const Measures> rows)
+void render_measures(const std::filesystem::path& folder, std::span<const metrics::Measures> rows)
 {
-    const auto curve = [&](std::string label, double Measures::*value)
+    const auto curve = [&](std::string label, double metrics::Measures::*value)
     {
         Curve c{std::move(label), {}, {}};
-        for (const Measures& row : rows)
+        for (const metrics::Measures& row : rows)
         {
             c.x.push_back(row.t);
             c.y.push_back(row.*value);
@@ -99,42 +99,49 @@ void render_measures(const std::filesystem::path& folder, std::span<const Measur
         return c;
     };
     const std::array panels{
-        Panel{"t", "ratio to t = 0", {curve("area", &Measures::area_ratio), curve("volume", &Measures::volume_ratio)}},
-        Panel{"t", "gyrification index", {curve("hull", &Measures::gi_hull), curve("sphere", &Measures::gi_sphere)}},
+        Panel{"t",
+              "ratio to t = 0",
+              {curve("area", &metrics::Measures::area_ratio), curve("volume", &metrics::Measures::volume_ratio)}},
+        Panel{"t",
+              "gyrification index",
+              {curve("hull", &metrics::Measures::gi_hull), curve("sphere", &metrics::Measures::gi_sphere)}},
         Panel{"t",
               "J",
-              {curve("least", &Measures::J_min), curve("mean", &Measures::J_mean), curve("largest", &Measures::J_max)}},
+              {curve("least", &metrics::Measures::J_min), curve("mean", &metrics::Measures::J_mean),
+               curve("largest", &metrics::Measures::J_max)}},
         Panel{"t",
               "energy [mu_w mm³]",
-              {curve("elastic", &Measures::energy_elastic), curve("zero-energy control", &Measures::energy_zero_mode)}},
+              {curve("elastic", &metrics::Measures::energy_elastic),
+               curve("zero-energy control", &metrics::Measures::energy_zero_mode)}},
         Panel{"t",
               "energy [mu_w mm³]",
-              {curve("kinetic", &Measures::energy_kinetic), curve("contact", &Measures::energy_contact)}},
-        Panel{"t", "overlapping area share", {curve("overlap", &Measures::overlap_area_share)}},
+              {curve("kinetic", &metrics::Measures::energy_kinetic),
+               curve("contact", &metrics::Measures::energy_contact)}},
+        Panel{"t", "overlapping area share", {curve("overlap", &metrics::Measures::overlap_area_share)}},
     };
-    render_plot(folder / measures_picture, panels, "Measures against growth time");
+    render_plot(folder / record::measures_picture, panels, "Measures against growth time");
 }
 
 void render_run(const std::filesystem::path& folder)
 {
-    const std::vector<FrameFiles> frames = list_frames(folder);
-    const std::vector<Measures> rows =
-        parse_measures_csv(read_whole_file(folder / "measures.csv"), (folder / "measures.csv").string());
+    const std::vector<record::FrameFiles> frames = record::list_frames(folder);
+    const std::vector<metrics::Measures> rows = metrics::parse_measures_csv(
+        formats::read_whole_file(folder / "measures.csv"), (folder / "measures.csv").string());
     std::string reason;
     if (!can_render(reason))
     {
         throw RunError("pictures cannot be made: " + reason);
     }
-    const ResultFolder claimed = claim_pictures(folder, frames);
-    for (const FrameFiles& files : frames)
+    const record::ResultFolder claimed = claim_pictures(folder, frames);
+    for (const record::FrameFiles& files : frames)
     {
-        Frame frame = read_frame(files);
-        const auto row =
-            std::ranges::find_if(rows, [&](const Measures& known) { return std::abs(known.t - files.t) < same_time; });
+        record::Frame frame = record::read_frame(files);
+        const auto row = std::ranges::find_if(rows, [&](const metrics::Measures& known)
+                                              { return std::abs(known.t - files.t) < same_time; });
         frame.week = row == rows.end() ? frame.week : row->week;
         render_frame(folder, frame);
     }
     render_measures(folder, rows);
 }
 
-} // namespace corticle
+} // namespace corticle::view

@@ -9,25 +9,25 @@
 
 #include <filesystem>
 
-namespace corticle
+namespace corticle::view
 {
 
 /// A colour range that shows the bulk of the values (at least one): the 2nd to 98th percentile, widened to tenths.
 ColorScale robust_scale(std::string label, std::span<const double> values, std::string map);
 
 /// The cut through the middle of a frame, across y, that shows `scalar` of its particles. Refers to both.
-CutInput middle_cut(const Frame& frame, std::span<const double> scalar);
+CutInput middle_cut(const record::Frame& frame, std::span<const double> scalar);
 
 /// Pictures of one frame: surface by J, growth, sulcal depth and mean curvature, cut through the middle across y
 /// (coronal where x points to the right and y to the front). `folder` is the run folder.
-void render_frame(const std::filesystem::path& folder, const Frame& frame);
+void render_frame(const std::filesystem::path& folder, const record::Frame& frame);
 
 /// Plot of the measures against t.
-void render_measures(const std::filesystem::path& folder, std::span<const Measures> rows);
+void render_measures(const std::filesystem::path& folder, std::span<const metrics::Measures> rows);
 
 /// Remakes all pictures of a run folder from its files.
 /// @throws InputError when it is not a run folder, a run still writes to it, or a file that the program did not write
 /// would be replaced
 void render_run(const std::filesystem::path& folder);
 
-} // namespace corticle
+} // namespace corticle::view

@@ -20,12 +20,12 @@ using ::testing::HasSubstr;
 
 std::string refusal(const std::string& bytes)
 {
-    return message_of<InputError>([&] { parse_surface(bytes, "white", "lh.white"); });
+    return message_of<InputError>([&] { formats::parse_surface(bytes, "white", "lh.white"); });
 }
 
 Vec3 second_vertex(const std::string& tags)
 {
-    return parse_surface(freesurfer_surface(tetrahedron(), tags), "pial", "lh.pial").vertices[1];
+    return formats::parse_surface(freesurfer_surface(tetrahedron(), tags), "pial", "lh.pial").vertices[1];
 }
 
 } // namespace
@@ -36,7 +36,7 @@ TEST(Freesurfer, ReadsTrianglesWhateverTheFileIsCalled)
     for (const char* name : {"lh.white", "pial", "lh.pial.T1"})
     {
         put_bytes(folder / name, freesurfer_surface(tetrahedron()));
-        const TriangleMesh mesh = read_surface(folder / name);
+        const TriangleMesh mesh = formats::read_surface(folder / name);
         EXPECT_EQ(mesh.vertices, tetrahedron().vertices);
         EXPECT_EQ(mesh.triangles, tetrahedron().triangles);
     }
@@ -66,13 +66,13 @@ TEST(Freesurfer, ReadsBackWhatItWrites)
 {
     const TemporaryFolder folder;
     const TriangleMesh mesh = tetrahedron();
-    write_surface_freesurfer(folder / "lh.folded", mesh.vertices, mesh.triangles);
-    const TriangleMesh read = read_surface(folder / "lh.folded");
+    formats::write_surface_freesurfer(folder / "lh.folded", mesh.vertices, mesh.triangles);
+    const TriangleMesh read = formats::read_surface(folder / "lh.folded");
     EXPECT_EQ(read.vertices, mesh.vertices);
     EXPECT_EQ(read.triangles, mesh.triangles);
     const std::vector<double> values{0.25, -1.0, 3.0, 1e-3};
-    write_scalars_freesurfer(folder / "lh.curv", values, mesh.triangles.size());
-    EXPECT_THAT(parse_freesurfer_scalars(bytes_of(folder / "lh.curv"), "lh.curv"),
+    formats::write_scalars_freesurfer(folder / "lh.curv", values, mesh.triangles.size());
+    EXPECT_THAT(formats::parse_freesurfer_scalars(bytes_of(folder / "lh.curv"), "lh.curv"),
                 ElementsAre(0.25, -1.0, 3.0, static_cast<double>(1e-3f)));
 }
 
@@ -90,7 +90,7 @@ TEST(Freesurfer, RefusesWithOneLine)
     huge.replace(good.find("\n\n") + 2, 4, "\x7f\xff\xff\xff");
     EXPECT_THAT(refusal(huge), HasSubstr("2147483647 vertices"));
     const auto scalars = [](const std::string& bytes)
-    { return message_of<InputError>([&] { parse_freesurfer_scalars(bytes, "lh.curv"); }); };
+    { return message_of<InputError>([&] { formats::parse_freesurfer_scalars(bytes, "lh.curv"); }); };
     const std::string curv = freesurfer_scalars({1, 2, 3});
     EXPECT_EQ(scalars(curv), "");
     EXPECT_THAT(scalars(curv.substr(0, curv.size() - 1)), HasSubstr("truncated"));
@@ -102,11 +102,13 @@ TEST(Freesurfer, SaysWhatMovedThePointsAndCanLeaveThemAlone)
     const Vec3 p = tetrahedron().vertices[1];
     const std::string bytes = freesurfer_surface(tetrahedron(), volume_geometry("1", conformed_axes(), "5 -6 7.5"));
     std::vector<std::string> notes;
-    EXPECT_EQ(parse_surface(bytes, "pial", "lh.pial", {1.0, Coordinates::scanner, &notes}).vertices[1],
-              (p + Vec3{5, -6, 7.5}));
+    EXPECT_EQ(
+        formats::parse_surface(bytes, "pial", "lh.pial", {1.0, formats::Coordinates::scanner, &notes}).vertices[1],
+        (p + Vec3{5, -6, 7.5}));
     EXPECT_THAT(notes, ElementsAre(HasSubstr("moved by (5, -6, 7.5) mm by the volume geometry behind")));
     notes.clear();
-    EXPECT_EQ(parse_surface(bytes, "pial", "lh.pial", {1.0, Coordinates::file, &notes}).vertices[1], p);
+    EXPECT_EQ(formats::parse_surface(bytes, "pial", "lh.pial", {1.0, formats::Coordinates::file, &notes}).vertices[1],
+              p);
     EXPECT_THAT(notes, ElementsAre(HasSubstr("taken as they are")));
 }
 
@@ -114,7 +116,7 @@ TEST(Freesurfer, ReadsACommentWithOneNewline)
 {
     std::string bytes = freesurfer_surface(tetrahedron());
     bytes.erase(bytes.find("\n\n"), 1);
-    const TriangleMesh mesh = parse_surface(bytes, "white", "lh.white");
+    const TriangleMesh mesh = formats::parse_surface(bytes, "white", "lh.white");
     EXPECT_EQ(mesh.vertices, tetrahedron().vertices);
     EXPECT_EQ(mesh.triangles, tetrahedron().triangles);
 }

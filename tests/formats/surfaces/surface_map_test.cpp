@@ -22,7 +22,7 @@ const std::vector<double> values{0.5, -1.25, 3.0, 8.0};
 
 std::vector<double> parsed(const std::string& extension, const std::string& bytes, const std::string& array = "")
 {
-    return parse_surface_map(bytes, extension, "map." + extension, array, 4);
+    return formats::parse_surface_map(bytes, extension, "map." + extension, array, 4);
 }
 
 std::string refusal(const std::string& extension, const std::string& bytes, const std::string& array = "")
@@ -53,11 +53,12 @@ TEST(SurfaceMap, ReadsVtpArrays)
     const TemporaryFolder folder;
     const TriangleMesh mesh = tetrahedron();
     const std::vector<double> vectors(12, 1.0);
-    write_surface_vtp(folder / "a.vtp", mesh.vertices, mesh.triangles,
-                      std::vector<Field>{{"m", 1, values}, {"H", 1, values}, {"u", 3, vectors}});
-    EXPECT_EQ(read_surface_map(folder / "a.vtp", "H", 4), values);
-    EXPECT_THAT(message_of<InputError>([&] { read_surface_map(folder / "a.vtp", "u", 4); }), HasSubstr("one of m, H"));
-    EXPECT_THAT(message_of<InputError>([&] { read_surface_map(folder / "a.vtp", "m", 5); }),
+    formats::write_surface_vtp(folder / "a.vtp", mesh.vertices, mesh.triangles,
+                               std::vector<formats::Field>{{"m", 1, values}, {"H", 1, values}, {"u", 3, vectors}});
+    EXPECT_EQ(formats::read_surface_map(folder / "a.vtp", "H", 4), values);
+    EXPECT_THAT(message_of<InputError>([&] { formats::read_surface_map(folder / "a.vtp", "u", 4); }),
+                HasSubstr("one of m, H"));
+    EXPECT_THAT(message_of<InputError>([&] { formats::read_surface_map(folder / "a.vtp", "m", 5); }),
                 HasSubstr("got 4 values; expected 5"));
 }
 
@@ -65,8 +66,8 @@ TEST(SurfaceMap, ReadsFreesurferScalars)
 {
     const TemporaryFolder folder;
     put_bytes(folder / "lh.thickness", freesurfer_scalars(values));
-    EXPECT_EQ(read_surface_map(folder / "lh.thickness", "", 4), values);
-    EXPECT_THAT(message_of<InputError>([&] { read_surface_map(folder / "lh.thickness", "", 3); }),
+    EXPECT_EQ(formats::read_surface_map(folder / "lh.thickness", "", 4), values);
+    EXPECT_THAT(message_of<InputError>([&] { formats::read_surface_map(folder / "lh.thickness", "", 3); }),
                 HasSubstr("got 4 values; expected 3"));
 }
 

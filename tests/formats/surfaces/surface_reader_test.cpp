@@ -44,7 +44,7 @@ std::multiset<std::vector<double>> corner_positions(const TriangleMesh& mesh)
 
 std::string refusal(const std::string& extension, const std::string& bytes)
 {
-    return message_of<InputError>([&] { parse_surface(bytes, extension, "body." + extension); });
+    return message_of<InputError>([&] { formats::parse_surface(bytes, extension, "body." + extension); });
 }
 
 std::string vtp_of(vtkXMLPolyDataWriter* writer)
@@ -64,7 +64,7 @@ TEST(SurfaceReader, ReadsEveryFormatToTheSameBits)
     const TriangleMesh mesh = tetrahedron();
     for (const auto& [extension, bytes] : surface_samples(mesh))
     {
-        const TriangleMesh read = parse_surface(bytes, extension, "body");
+        const TriangleMesh read = formats::parse_surface(bytes, extension, "body");
         EXPECT_EQ(read.vertices.size(), 4u) << extension;
         EXPECT_EQ(corner_positions(read), corner_positions(mesh)) << extension << "\n" << bytes.substr(0, 60);
     }
@@ -74,7 +74,7 @@ TEST(SurfaceReader, ReadsEveryKindOfVtp)
 {
     vtkNew<vtkXMLPolyDataWriter> writer;
     writer->SetDataModeToAscii();
-    const auto expected = corner_positions(parse_surface(vtp_of(writer), "vtp", "ascii"));
+    const auto expected = corner_positions(formats::parse_surface(vtp_of(writer), "vtp", "ascii"));
     EXPECT_EQ(expected.size(), 96u);
     for (const int mode : {vtkXMLWriter::Binary, vtkXMLWriter::Appended})
     {
@@ -92,7 +92,7 @@ TEST(SurfaceReader, ReadsEveryKindOfVtp)
                     other->SetHeaderType(order == vtkXMLWriter::BigEndian ? vtkXMLWriter::UInt64
                                                                           : vtkXMLWriter::UInt32);
                     other->SetBlockSize(1024);
-                    EXPECT_EQ(corner_positions(parse_surface(vtp_of(other), "vtp", "other")), expected)
+                    EXPECT_EQ(corner_positions(formats::parse_surface(vtp_of(other), "vtp", "other")), expected)
                         << mode << " " << encode << " " << compressor << " " << order;
                 }
             }
@@ -102,8 +102,8 @@ TEST(SurfaceReader, ReadsEveryKindOfVtp)
 
 TEST(SurfaceReader, FansPolygonsAndMergesVertices)
 {
-    const TriangleMesh mesh =
-        parse_surface("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 0\nf -5 -4 -3 -2\nf 5 3 2\n", "obj", "quad.obj");
+    const TriangleMesh mesh = formats::parse_surface(
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 0\nf -5 -4 -3 -2\nf 5 3 2\n", "obj", "quad.obj");
     EXPECT_EQ(mesh.vertices.size(), 4u);
     EXPECT_EQ(mesh.triangles.size(), 3u);
 }
@@ -112,32 +112,33 @@ TEST(SurfaceReader, ReadsFilesWithAnyCaseOfExtensionAndScales)
 {
     const TemporaryFolder folder;
     put_bytes(folder / "body.STL", stl_binary(tetrahedron()));
-    const TriangleMesh mesh = read_surface(folder / "body.STL", {10.0});
+    const TriangleMesh mesh = formats::read_surface(folder / "body.STL", {10.0});
     EXPECT_EQ(std::ranges::count(mesh.vertices, Vec3{0, 22.5, 0}), 1);
-    EXPECT_EQ(millimetres_per(UnitOfLength::cm), 10.0);
+    EXPECT_EQ(formats::millimetres_per(formats::UnitOfLength::cm), 10.0);
 }
 
 TEST(SurfaceReader, KeepsTheVerticesOfTheFileForMaps)
 {
     const TemporaryFolder folder;
     put_bytes(folder / "a.obj", "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nf 2 3 4\nf 5 4 3\n");
-    const TriangleMesh mesh = read_surface_unmerged(folder / "a.obj", {2.0});
+    const TriangleMesh mesh = formats::read_surface_unmerged(folder / "a.obj", {2.0});
     EXPECT_EQ(mesh.vertices.size(), 5u);
     EXPECT_EQ(mesh.vertices[0], (Vec3{18, 18, 18}));
     EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{1, 2, 3}, {4, 3, 2}}));
-    EXPECT_EQ(read_surface(folder / "a.obj", {2.0}).vertices.size(), 3u);
+    EXPECT_EQ(formats::read_surface(folder / "a.obj", {2.0}).vertices.size(), 3u);
 }
 
 TEST(SurfaceReader, RefusesWithOneLine)
 {
     const TemporaryFolder folder;
-    EXPECT_THAT(message_of<InputError>([&] { read_surface(folder / "none.stl"); }),
+    EXPECT_THAT(message_of<InputError>([&] { formats::read_surface(folder / "none.stl"); }),
                 HasSubstr("none.stl: cannot be opened"));
     put_bytes(folder / "points.xyz", "0 0 0");
-    EXPECT_THAT(message_of<InputError>([&] { read_surface(folder / "points.xyz"); }),
+    EXPECT_THAT(message_of<InputError>([&] { formats::read_surface(folder / "points.xyz"); }),
                 HasSubstr("got .xyz; expected .stl, .obj, .ply, .off, .vtp, .gii or a FreeSurfer surface"));
     std::filesystem::create_directory(folder / "folder.stl");
-    EXPECT_THAT(message_of<InputError>([&] { read_surface(folder / "folder.stl"); }), HasSubstr("a directory"));
+    EXPECT_THAT(message_of<InputError>([&] { formats::read_surface(folder / "folder.stl"); }),
+                HasSubstr("a directory"));
     EXPECT_THAT(refusal("obj", "v 0 0 0\nv 1 0 0\nv nan 1 0\nf 1 2 3\n"), HasSubstr("vertex 2 is not finite"));
     EXPECT_THAT(refusal("obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"),
                 HasSubstr("triangle 0 names no vertex; got index 3"));
@@ -192,7 +193,7 @@ TEST(SurfaceReader, ReadsTextWithAMarkOfByteOrderAndAnyEndOfLine)
         for (const char* end : {"\r", "\r\n"})
         {
             const TriangleMesh read =
-                parse_surface("\xef\xbb\xbf" + with_every(text, "\n", end), extension, "body." + extension);
+                formats::parse_surface("\xef\xbb\xbf" + with_every(text, "\n", end), extension, "body." + extension);
             EXPECT_EQ(corner_positions(read), corner_positions(mesh)) << extension;
         }
     }
@@ -207,7 +208,7 @@ TEST(SurfaceReader, ReadsStlAsOthersWriteIt)
     for (const std::string& bytes : {"  " + text, with_every(text, "endloop", "end loop"),
                                      with_every(text, "endsolid", "end solid"), binary, binary + std::string(2, '\0')})
     {
-        EXPECT_EQ(corner_positions(parse_surface(bytes, "stl", "body")), corner_positions(mesh));
+        EXPECT_EQ(corner_positions(formats::parse_surface(bytes, "stl", "body")), corner_positions(mesh));
     }
     EXPECT_THAT(refusal("stl", binary.substr(0, 100)), HasSubstr("truncated binary STL"));
 }
@@ -216,13 +217,13 @@ TEST(SurfaceReader, ReadsVariantsOfOffAndPly)
 {
     const std::string coloured =
         "CNOFF\n3 1 0\n0 0 0 0 0 1 9 9 9 1\n1 0 0 0 0 1 9 9 9 1\n0 1 0 0 0 1 9 9 9 1\n3 0 1 2\n";
-    EXPECT_EQ(parse_surface(coloured, "off", "body").vertices[1], (Vec3{1, 0, 0}));
+    EXPECT_EQ(formats::parse_surface(coloured, "off", "body").vertices[1], (Vec3{1, 0, 0}));
     EXPECT_THAT(refusal("off", "4OFF\n3 1 0\n0 0 0 1\n1 0 0 1\n0 1 0 1\n3 0 1 2\n"), HasSubstr("got 4OFF"));
-    const TriangleMesh strips =
-        parse_surface("ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
-                      "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
-                      "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n8 0 1 2 3 -1 2 3 4\n",
-                      "ply", "body");
+    const TriangleMesh strips = formats::parse_surface(
+        "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
+        "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+        "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n8 0 1 2 3 -1 2 3 4\n",
+        "ply", "body");
     EXPECT_EQ(strips.triangles, (std::vector<Triangle>{{0, 1, 2}, {2, 1, 3}, {2, 3, 4}}));
 }
 

@@ -18,9 +18,9 @@ TEST(SurfaceWriter, PlyKeepsEveryBit)
     TriangleMesh mesh = tetrahedron();
     mesh.vertices[2].x = 1.0 / 3.0;
     const std::vector<double> growth{1, 2, 3, 4};
-    const std::vector<Field> scalars{{"growth", 1, growth}, {"mean curvature", 1, growth}};
-    write_surface_ply(folder / "a.ply", mesh.vertices, mesh.triangles, scalars);
-    const TriangleMesh read = read_surface_unmerged(folder / "a.ply");
+    const std::vector<formats::Field> scalars{{"growth", 1, growth}, {"mean curvature", 1, growth}};
+    formats::write_surface_ply(folder / "a.ply", mesh.vertices, mesh.triangles, scalars);
+    const TriangleMesh read = formats::read_surface_unmerged(folder / "a.ply");
     EXPECT_EQ(read.vertices, mesh.vertices);
     EXPECT_EQ(read.triangles, mesh.triangles);
     const std::string bytes = bytes_of(folder / "a.ply");
@@ -32,8 +32,8 @@ TEST(SurfaceWriter, StlKeepsSinglePrecision)
 {
     const TemporaryFolder folder;
     const TriangleMesh mesh = tetrahedron(); // exact in single precision
-    write_surface_stl(folder / "a.stl", mesh.vertices, mesh.triangles);
-    const TriangleMesh read = read_surface(folder / "a.stl");
+    formats::write_surface_stl(folder / "a.stl", mesh.vertices, mesh.triangles);
+    const TriangleMesh read = formats::read_surface(folder / "a.stl");
     EXPECT_EQ(read.triangles.size(), mesh.triangles.size());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     {
@@ -43,15 +43,15 @@ TEST(SurfaceWriter, StlKeepsSinglePrecision)
                       mesh.vertices[static_cast<std::size_t>(mesh.triangles[t][k])]);
         }
     }
-    EXPECT_EQ(read_surface_unmerged(folder / "a.stl").vertices.size(), 12u);
+    EXPECT_EQ(formats::read_surface_unmerged(folder / "a.stl").vertices.size(), 12u);
 }
 
 TEST(SurfaceWriter, SaysWhereItCannotWrite)
 {
     const TriangleMesh mesh = tetrahedron();
-    EXPECT_THAT(
-        message_of<RunError>([&] { write_surface_ply("/no/such/folder/a.ply", mesh.vertices, mesh.triangles); }),
-        ::testing::HasSubstr("/no/such/folder/a.ply"));
+    EXPECT_THAT(message_of<RunError>(
+                    [&] { formats::write_surface_ply("/no/such/folder/a.ply", mesh.vertices, mesh.triangles); }),
+                ::testing::HasSubstr("/no/such/folder/a.ply"));
 }
 
 } // namespace corticle

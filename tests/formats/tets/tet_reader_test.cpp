@@ -23,7 +23,7 @@ using ::testing::StartsWith;
 
 std::string refusal(const std::string& bytes)
 {
-    const std::string message = message_of<InputError>([&] { parse_tets(bytes, "body"); });
+    const std::string message = message_of<InputError>([&] { formats::parse_tets(bytes, "body"); });
     if (!message.empty())
     {
         EXPECT_THAT(message, StartsWith("body: "));
@@ -48,7 +48,7 @@ TEST(TetReader, ReadsEveryFormatToTheSameBits)
     for (const auto& [kind, bytes] : tet_samples(mesh))
     {
         std::vector<std::string> notes;
-        const TetMesh read = parse_tets(bytes, kind, &notes);
+        const TetMesh read = formats::parse_tets(bytes, kind, &notes);
         EXPECT_EQ(read.vertices, mesh.vertices) << kind;
         EXPECT_EQ(read.tets, mesh.tets) << kind;
         EXPECT_THAT(notes, IsEmpty()) << kind;
@@ -64,8 +64,8 @@ TEST(TetReader, WhatIsWrittenComesBackToTheBit)
     write_tets_msh(folder / "a.msh", ball);
     for (const char* name : {"a.vtu", "a.msh"})
     {
-        ASSERT_TRUE(is_tet_file(folder / name));
-        const TetMesh read = read_tets(folder / name);
+        ASSERT_TRUE(formats::is_tet_file(folder / name));
+        const TetMesh read = formats::read_tets(folder / name);
         EXPECT_EQ(read.vertices, ball.vertices) << name;
         EXPECT_EQ(read.tets, ball.tets) << name;
     }
@@ -76,25 +76,26 @@ TEST(TetReader, LargeFilesOfEqualCellsCompressAndComeBack)
     const TemporaryFolder folder;
     const TetMesh box = test::tet_box(20, {0, 0, 0}, {1, 1, 1});
     write_tets_vtu(folder / "a.vtu", box);
-    EXPECT_EQ(read_tets(folder / "a.vtu").tets, box.tets);
+    EXPECT_EQ(formats::read_tets(folder / "a.vtu").tets, box.tets);
 }
 
 TEST(TetReader, ScalesToMillimetres)
 {
     const TemporaryFolder folder;
     put_bytes(folder / "a.mesh", netgen);
-    const TetMesh read = read_tets(folder / "a.mesh", 10.0);
+    const TetMesh read = formats::read_tets(folder / "a.mesh", 10.0);
     EXPECT_EQ(read.vertices[1], (Vec3{15, 0, 0}));
-    EXPECT_THROW(read_tets(folder / "a.mesh", 1e308), InputError);
-    EXPECT_THAT(message_of<InputError>([&] { read_tets(folder / "none.mesh"); }), HasSubstr("cannot be opened"));
+    EXPECT_THROW(formats::read_tets(folder / "a.mesh", 1e308), InputError);
+    EXPECT_THAT(message_of<InputError>([&] { formats::read_tets(folder / "none.mesh"); }),
+                HasSubstr("cannot be opened"));
 }
 
 TEST(TetReader, KnowsItsFilesByExtension)
 {
-    EXPECT_TRUE(is_tet_file("a/b.MSH"));
-    EXPECT_TRUE(is_tet_file("b.mesh"));
-    EXPECT_FALSE(is_tet_file("mesh"));
-    EXPECT_FALSE(is_tet_file("b.vtp"));
+    EXPECT_TRUE(formats::is_tet_file("a/b.MSH"));
+    EXPECT_TRUE(formats::is_tet_file("b.mesh"));
+    EXPECT_FALSE(formats::is_tet_file("mesh"));
+    EXPECT_FALSE(formats::is_tet_file("b.vtp"));
 }
 
 TEST(TetReader, SecondOrderTetsGiveTheirCorners)
@@ -103,13 +104,13 @@ TEST(TetReader, SecondOrderTetsGiveTheirCorners)
                                "5 .5 0 0\n6 .5 .5 0\n7 0 .5 0\n8 0 0 .5\n9 0 .5 .5\n10 .5 0 .5\n$EndNodes\n"
                                "$Elements\n1\n1 11 0 1 2 3 4 5 6 7 8 9 10\n$EndElements\n";
     std::vector<std::string> notes;
-    const TetMesh read = parse_tets(second, "body", &notes);
+    const TetMesh read = formats::parse_tets(second, "body", &notes);
     EXPECT_THAT(read.tets, ElementsAre(Tet{0, 1, 2, 3}));
     EXPECT_EQ(read.vertices.size(), 10u);
     EXPECT_THAT(notes, ElementsAre("1 tets of second or higher order: only their corners are used"));
     std::string medit =
         replaced(medit_text(mesh), "Tetrahedra\n2\n1 2 3 4 1\n2 3 4 5 1\n", "TetrahedraP2\n1\n1 2 3 4 5 5 5 5 5 5 1\n");
-    EXPECT_THAT(parse_tets(medit, "body", &notes).tets, ElementsAre(Tet{0, 1, 2, 3}));
+    EXPECT_THAT(formats::parse_tets(medit, "body", &notes).tets, ElementsAre(Tet{0, 1, 2, 3}));
     EXPECT_EQ(notes.size(), 2u);
 }
 
@@ -117,13 +118,13 @@ TEST(TetReader, MeditTextInQuotesHoldsAnyWord)
 {
     const std::string titled =
         replaced(medit_text(mesh), "Dimension\n3\n", "Dimension\n3\nIdentifier\n\"left brain, Tetrahedra of June\"\n");
-    EXPECT_EQ(parse_tets(titled, "body").tets, parse_tets(medit_text(mesh), "body").tets);
+    EXPECT_EQ(formats::parse_tets(titled, "body").tets, formats::parse_tets(medit_text(mesh), "body").tets);
 }
 
 TEST(TetReader, NetgenFilesMayLackTheSurface)
 {
     const std::string bare = netgen.substr(0, netgen.find("2\n   1"));
-    EXPECT_EQ(parse_tets(bare, "body").tets, mesh.tets);
+    EXPECT_EQ(formats::parse_tets(bare, "body").tets, mesh.tets);
     EXPECT_THAT(refusal(netgen.substr(0, netgen.size() - 4)), HasSubstr("bad surface triangle at line 12"));
 }
 
@@ -185,7 +186,7 @@ TEST(TetReader, RefusesEveryTruncation)
         for (std::size_t size = 0; size < enough; size += 1 + size / 40)
         {
             std::string message =
-                message_of<InputError>([&, &whole = bytes] { parse_tets(whole.substr(0, size), "body"); });
+                message_of<InputError>([&, &whole = bytes] { formats::parse_tets(whole.substr(0, size), "body"); });
             if (kind == "netgen" && message.empty())
             {
                 continue; // the last digits of the last tet may be missing without a sign

@@ -14,7 +14,8 @@ namespace corticle
 class NiftiSample
 {
   public:
-    NiftiSample(bool wide, bool swapped) : layout_(wide ? nifti2_layout : nifti1_layout), swapped_(swapped)
+    NiftiSample(bool wide, bool swapped)
+        : layout_(wide ? formats::nifti2_layout : formats::nifti1_layout), swapped_(swapped)
     {
         header_.assign(wide ? 544 : 352, '\0');
         put(0, static_cast<std::int32_t>(layout_.size));
@@ -60,7 +61,7 @@ class NiftiSample
         return *this;
     }
 
-    NiftiSample& sform(const VoxelFrame& frame)
+    NiftiSample& sform(const imaging::VoxelFrame& frame)
     {
         code(layout_.sform_code, 1);
         for (int row = 0; row < 3; ++row)
@@ -75,7 +76,7 @@ class NiftiSample
     }
 
     template <class Number, class Value>
-    NiftiSample& data(NiftiType type, const std::vector<Value>& values)
+    NiftiSample& data(formats::NiftiType type, const std::vector<Value>& values)
     {
         put(layout_.datatype, static_cast<std::int16_t>(type));
         data_.clear();
@@ -93,7 +94,7 @@ class NiftiSample
         std::copy(bytes.begin(), bytes.end(), header_.begin() + static_cast<std::ptrdiff_t>(offset));
     }
 
-    const NiftiLayout& layout() const { return layout_; }
+    const formats::NiftiLayout& layout() const { return layout_; }
     std::string bytes() const { return header_ + data_; }
 
   private:
@@ -105,7 +106,7 @@ class NiftiSample
         return swapped_ ? std::string(bytes.rbegin(), bytes.rend()) : bytes;
     }
 
-    NiftiLayout layout_;
+    formats::NiftiLayout layout_;
     bool swapped_;
     std::string header_;
     std::string data_;
@@ -126,7 +127,7 @@ inline std::vector<std::int32_t> sample_labels()
 inline NiftiSample plain_sample(bool wide = false, bool swapped = false)
 {
     NiftiSample sample(wide, swapped);
-    sample.dimensions({4, 3, 2}).data<std::uint8_t>(NiftiType::uint8, sample_labels());
+    sample.dimensions({4, 3, 2}).data<std::uint8_t>(formats::NiftiType::uint8, sample_labels());
     return sample;
 }
 

@@ -23,18 +23,18 @@ namespace
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using enum NiftiType;
+using enum formats::NiftiType;
 
-LabelVolume parse(const NiftiSample& sample, std::optional<std::int64_t> volume = {})
+imaging::LabelVolume parse(const NiftiSample& sample, std::optional<std::int64_t> volume = {})
 {
-    return parse_nifti(sample.bytes(), "a.nii", {volume, Coordinates::scanner});
+    return formats::parse_nifti(sample.bytes(), "a.nii", {volume, formats::Coordinates::scanner});
 }
 
 std::string refusal(const std::string& bytes, std::optional<std::int64_t> volume = {})
 {
     const std::string message = message_of<InputError>(
         [&] {
-            parse_nifti(bytes, "a.nii", {volume, Coordinates::scanner});
+            formats::parse_nifti(bytes, "a.nii", {volume, formats::Coordinates::scanner});
         });
     EXPECT_EQ(message.find('\n'), std::string::npos);
     EXPECT_THAT(message, HasSubstr("a.nii: "));
@@ -45,7 +45,7 @@ std::string refusal(const NiftiSample& sample, std::optional<std::int64_t> volum
     return refusal(sample.bytes(), volume);
 }
 
-void expect_near(const VoxelFrame& a, const VoxelFrame& b, double tolerance)
+void expect_near(const imaging::VoxelFrame& a, const imaging::VoxelFrame& b, double tolerance)
 {
     for (int column = 0; column < 3; ++column)
     {
@@ -54,7 +54,7 @@ void expect_near(const VoxelFrame& a, const VoxelFrame& b, double tolerance)
     EXPECT_LT(norm(a.origin - b.origin), tolerance);
 }
 
-VoxelFrame oblique_frame(bool flipped)
+imaging::VoxelFrame oblique_frame(bool flipped)
 {
     return {skew_rotation(0.7) * Mat3::diagonal(flipped ? -0.5 : 0.5, 0.8, 1.2), {12.5, -40.0, 7.0}};
 }
@@ -72,11 +72,11 @@ TEST(Nifti, ReadsEveryTypeVersionAndByteOrder)
             sample.sform(oblique_frame(true));
             const auto expect_labels = [&](const NiftiSample& typed)
             {
-                const LabelVolume image = parse(typed);
+                const imaging::LabelVolume image = parse(typed);
                 EXPECT_EQ(image.size, (std::array<std::int64_t, 3>{4, 3, 2}));
                 EXPECT_EQ(image.labels, labels);
                 expect_near(image.frame, oblique_frame(true), 1e-5);
-                EXPECT_EQ(parse_nifti(gzip(typed.bytes()), "a.nii.gz").labels, labels);
+                EXPECT_EQ(formats::parse_nifti(formats::gzip(typed.bytes()), "a.nii.gz").labels, labels);
             };
             expect_labels(sample.data<std::uint8_t>(uint8, labels));
             expect_labels(sample.data<std::int8_t>(int8, labels));
@@ -107,7 +107,7 @@ TEST(Nifti, AppliesSlopeAndIntercept)
 TEST(Nifti, TakesSformThenQformThenVoxelSizes)
 {
     NiftiSample sample = plain_sample();
-    const NiftiLayout& at = sample.layout();
+    const formats::NiftiLayout& at = sample.layout();
     sample.real(at.pixdim, 0.5, 1).real(at.pixdim, 0.8, 2).real(at.pixdim, 1.2, 3);
     // Sizes alone: about the middle of the image, x to the left, as nibabel.
     expect_near(parse(sample).frame, {Mat3::diagonal(-0.5, 0.8, 1.2), {0.75, -0.8, -0.6}}, 1e-6);
@@ -115,7 +115,7 @@ TEST(Nifti, TakesSformThenQformThenVoxelSizes)
     const double half = std::sqrt(0.5);
     sample.code(at.qform_code, 1).real(at.quaternion, half, 2).real(at.pixdim, -1.0);
     sample.real(at.offset, 1.0, 0).real(at.offset, 2.0, 1).real(at.offset, 3.0, 2);
-    const VoxelFrame turned{{{{0, 0.5, 0}, {-0.8, 0, 0}, {0, 0, -1.2}}}, {1, 2, 3}};
+    const imaging::VoxelFrame turned{{{{0, 0.5, 0}, {-0.8, 0, 0}, {0, 0, -1.2}}}, {1, 2, 3}};
     expect_near(parse(sample).frame, turned, 1e-6);
     sample.sform(oblique_frame(false));
     expect_near(parse(sample).frame, oblique_frame(false), 1e-5);
@@ -125,7 +125,7 @@ TEST(Nifti, TakesSformThenQformThenVoxelSizes)
 
 TEST(Nifti, ConvertsUnits)
 {
-    const VoxelFrame frame{Mat3::diagonal(1, 2, 3), {4, 5, 6}};
+    const imaging::VoxelFrame frame{Mat3::diagonal(1, 2, 3), {4, 5, 6}};
     for (const bool wide : {false, true})
     {
         for (const auto& [unit, factor] : {std::pair{1, 1000.0}, {2, 1.0}, {3, 0.001}, {0, 1.0}})
@@ -172,7 +172,7 @@ TEST(Nifti, RefusesWhatIsNoLabel)
 
 TEST(Nifti, RefusesBadHeaders)
 {
-    const NiftiLayout& at = nifti1_layout;
+    const formats::NiftiLayout& at = formats::nifti1_layout;
     EXPECT_THAT(refusal(std::string()), HasSubstr("not a NIfTI file; got 0 bytes"));
     EXPECT_THAT(refusal(std::string("OFF\n0 0 0\n")), HasSubstr("not a NIfTI file; got the bytes 4f 46 46 0a"));
     EXPECT_THAT(refusal(plain_sample().bytes().substr(0, 200)), HasSubstr("truncated in its header; got 200 bytes"));
@@ -200,9 +200,9 @@ TEST(Nifti, RefusesShortData)
 {
     const std::string bytes = plain_sample().bytes();
     EXPECT_THAT(refusal(bytes.substr(0, bytes.size() - 1)), HasSubstr("data shorter than announced"));
-    EXPECT_THAT(refusal(gzip(bytes.substr(0, bytes.size() - 1))),
+    EXPECT_THAT(refusal(formats::gzip(bytes.substr(0, bytes.size() - 1))),
                 HasSubstr("data shorter than announced; got 23 bytes"));
-    const std::string packed = gzip(bytes);
+    const std::string packed = formats::gzip(bytes);
     for (std::size_t size = 2; size < packed.size(); ++size)
     {
         EXPECT_NE(refusal(packed.substr(0, size)), "");
@@ -212,7 +212,7 @@ TEST(Nifti, RefusesShortData)
     damaged[packed.size() / 2] = static_cast<char>(~damaged[packed.size() / 2]);
     EXPECT_THAT(refusal(damaged), ::testing::AnyOf(HasSubstr("damaged gzip"), HasSubstr("truncated gzip")));
     // Two billion voxels announced by a few hundred bytes.
-    EXPECT_THAT(refusal(gzip(plain_sample().dimensions({2047, 1023, 1023}).bytes())),
+    EXPECT_THAT(refusal(formats::gzip(plain_sample().dimensions({2047, 1023, 1023}).bytes())),
                 HasSubstr("shorter than announced"));
 }
 
@@ -223,39 +223,41 @@ TEST(Nifti, WritesWhatItReads)
     {
         for (const std::int32_t largest : {6, 300, 70000, -5})
         {
-            LabelVolume image{{4, 3, 2}, oblique_frame(flipped), sample_labels(), {}};
+            imaging::LabelVolume image{{4, 3, 2}, oblique_frame(flipped), sample_labels(), {}};
             image.labels[5] = largest;
             for (const auto* name : {"a.nii", "a.nii.gz"})
             {
-                write_nifti(folder / name, image);
-                const LabelVolume back = read_nifti(folder / name);
+                formats::write_nifti(folder / name, image);
+                const imaging::LabelVolume back = formats::read_nifti(folder / name);
                 EXPECT_EQ(back.size, image.size);
                 EXPECT_EQ(back.labels, image.labels);
                 expect_near(back.frame, image.frame, 1e-5); // the file has single precision
             }
             // The rotation alone tells the same frame.
             std::string bytes = bytes_of(folder / "a.nii");
-            bytes.replace(nifti1_layout.sform_code, 2, 2, '\0');
-            expect_near(parse_nifti(bytes, "a.nii").frame, image.frame, 1e-5);
+            bytes.replace(formats::nifti1_layout.sform_code, 2, 2, '\0');
+            expect_near(formats::parse_nifti(bytes, "a.nii").frame, image.frame, 1e-5);
         }
     }
     EXPECT_EQ(bytes_of(folder / "a.nii.gz").substr(0, 2), "\x1f\x8b");
     EXPECT_EQ(folder.file_count(), 2U);
-    const LabelVolume image{{4, 3, 2}, {}, sample_labels(), {}};
-    EXPECT_THAT(message_of<InputError>([&] { write_nifti(folder / "a.img", image); }), HasSubstr(".nii.gz"));
+    const imaging::LabelVolume image{{4, 3, 2}, {}, sample_labels(), {}};
+    EXPECT_THAT(message_of<InputError>([&] { formats::write_nifti(folder / "a.img", image); }), HasSubstr(".nii.gz"));
 }
 
 TEST(Nifti, EllipsoidKeepsItsVolumeThroughAFile)
 {
     const Vec3 semi_axes{11.0, 9.0, 8.0};
     const Vec3 centre{5.0, -14.0, 30.0};
-    const LabelVolume image = label_image(skew_rotation(1.1) * Mat3::diagonal(1, -1, 1), {0.5, 0.8, 1.2}, centre, 14.0,
-                                          [&](const Vec3& p) { return ellipsoid(p, semi_axes) < 1.0 ? 4 : 0; });
+    const imaging::LabelVolume image =
+        label_image(skew_rotation(1.1) * Mat3::diagonal(1, -1, 1), {0.5, 0.8, 1.2}, centre, 14.0,
+                    [&](const Vec3& p) { return ellipsoid(p, semi_axes) < 1.0 ? 4 : 0; });
     NiftiSample sample(true, true);
     sample.dimensions({image.size[0], image.size[1], image.size[2]})
         .sform(image.frame)
         .data<double>(float64, image.labels);
-    const ImagedSurface result = surface_from_labels(parse_nifti(gzip(sample.bytes()), "a.nii.gz"), {{4}, {}});
+    const imaging::ImagedSurface result =
+        imaging::surface_from_labels(formats::parse_nifti(formats::gzip(sample.bytes()), "a.nii.gz"), {{4}, {}});
     const double exact = 4.0 / 3.0 * std::numbers::pi * semi_axes.x * semi_axes.y * semi_axes.z;
     EXPECT_NEAR(result.report.surface_volume_mm3 / exact, 1.0, 0.01);
     Vec3 low = result.surface.vertices[0];
@@ -274,9 +276,9 @@ TEST(Nifti, EllipsoidKeepsItsVolumeThroughAFile)
 TEST(Nifti, TakesFieldsOutsideTheStandardAsTheReferenceDoes)
 {
     NiftiSample sample = plain_sample();
-    const NiftiLayout& at = sample.layout();
+    const formats::NiftiLayout& at = sample.layout();
     sample.code(at.qform_code, 1).real(at.pixdim, -0.5, 1).real(at.quaternion, 1.0004, 2);
-    const LabelVolume image = parse(sample);
+    const imaging::LabelVolume image = parse(sample);
     // A half turn about z, of unit length; sizes are positive.
     expect_near(image.frame, {Mat3::diagonal(-0.5, -1.0, 1.0), {}}, 1e-6);
     EXPECT_THAT(image.notes, ElementsAre(HasSubstr("of the qform has length 1.00039995"),
@@ -292,7 +294,7 @@ TEST(Nifti, TakesFieldsOutsideTheStandardAsTheReferenceDoes)
 TEST(Nifti, AnSformOfZerosGivesWayToTheQform)
 {
     NiftiSample sample = plain_sample();
-    const NiftiLayout& at = sample.layout();
+    const formats::NiftiLayout& at = sample.layout();
     sample.code(at.sform_code, 2);
     EXPECT_THAT(refusal(sample), HasSubstr("sform (code 2) is a matrix of zeros; got no qform"));
     sample.code(at.qform_code, 1);
@@ -311,7 +313,7 @@ TEST(Nifti, SaysWhichUnitItTookAndCanLeaveItAlone)
     EXPECT_THAT(parse(sample).notes, ElementsAre(HasSubstr("xyzt_units of the header says metres")));
     sample.sform({Mat3::identity(), {}});
     EXPECT_THAT(refusal(sample), HasSubstr("got 1000 mm (xyzt_units says metres)"));
-    const LabelVolume image = parse_nifti(sample.bytes(), "a.nii", {{}, Coordinates::file});
+    const imaging::LabelVolume image = formats::parse_nifti(sample.bytes(), "a.nii", {{}, formats::Coordinates::file});
     expect_near(image.frame, {}, 1e-12);
     EXPECT_THAT(image.notes, ElementsAre(HasSubstr("taken as millimetres, since coordinates = file")));
 }
@@ -332,11 +334,11 @@ TEST(Nifti, IsKnownByItsNameInEitherCase)
 {
     for (const char* name : {"a.nii", "a.NII", "a.nii.gz", "B.NII.GZ", "a.Img", "a.HDR"})
     {
-        EXPECT_TRUE(is_nifti(name)) << name;
+        EXPECT_TRUE(formats::is_nifti(name)) << name;
     }
     for (const char* name : {"a.gz", "nii", "a.nii.txt", "a.gii.gz"})
     {
-        EXPECT_FALSE(is_nifti(name)) << name;
+        EXPECT_FALSE(formats::is_nifti(name)) << name;
     }
 }
 

@@ -42,14 +42,14 @@ std::vector<Box> boxes_at_random(std::size_t count, std::uint64_t seed)
     return boxes;
 }
 
-Pairs found_by(const BoxTiles& first, const BoxTiles& second)
+Pairs found_by(const contact::BoxTiles& first, const contact::BoxTiles& second)
 {
     Pairs pairs;
-    std::vector<BoxPair> found;
+    std::vector<contact::BoxPair> found;
     for (std::int32_t tile = 0; tile < first.tile_count(); ++tile)
     {
         first.find_overlaps(tile, second, found);
-        for (const BoxPair& pair : found)
+        for (const contact::BoxPair& pair : found)
         {
             pairs.emplace_back(pair.first, pair.second);
         }
@@ -58,9 +58,9 @@ Pairs found_by(const BoxTiles& first, const BoxTiles& second)
     return pairs;
 }
 
-BoxTiles tiles_of(const std::vector<Box>& boxes)
+contact::BoxTiles tiles_of(const std::vector<Box>& boxes)
 {
-    BoxTiles tiles;
+    contact::BoxTiles tiles;
     tiles.set(std::ssize(boxes), [&](std::int64_t k) { return boxes[static_cast<std::size_t>(k)]; });
     return tiles;
 }
@@ -90,7 +90,7 @@ TEST(BoxTiles, FindWhatABruteForceSearchFinds)
                 }
             }
         }
-        const BoxTiles tiles = tiles_of(a);
+        const contact::BoxTiles tiles = tiles_of(a);
         EXPECT_EQ(found_by(tiles, tiles_of(b)), with_others) << count;
         EXPECT_EQ(found_by(tiles, tiles), with_themselves) << count;
     }
@@ -98,10 +98,10 @@ TEST(BoxTiles, FindWhatABruteForceSearchFinds)
 
 TEST(BoxTiles, ForgetWhatTheyHeldBefore)
 {
-    BoxTiles tiles = tiles_of(boxes_at_random(5000, 1));
+    contact::BoxTiles tiles = tiles_of(boxes_at_random(5000, 1));
     const std::vector<Box> few = boxes_at_random(20, 3);
     tiles.set(std::ssize(few), [&](std::int64_t k) { return few[static_cast<std::size_t>(k)]; });
-    const BoxTiles fresh = tiles_of(few);
+    const contact::BoxTiles fresh = tiles_of(few);
     EXPECT_EQ(found_by(tiles, tiles), found_by(fresh, fresh));
     EXPECT_EQ(tiles.tile_count(), 2);
 }
@@ -109,7 +109,7 @@ TEST(BoxTiles, ForgetWhatTheyHeldBefore)
 TEST(BoxTiles, TouchingBoxesOverlapWhateverTheRoundingOfAFloat)
 {
     const std::vector<Box> boxes{{{0.1, 0, 0}, {1.0 / 3.0, 1, 1}}, {{1.0 / 3.0, 0, 0}, {0.7, 1, 1}}};
-    const BoxTiles tiles = tiles_of(boxes);
+    const contact::BoxTiles tiles = tiles_of(boxes);
     EXPECT_EQ(found_by(tiles, tiles), (Pairs{{0, 1}}));
 }
 

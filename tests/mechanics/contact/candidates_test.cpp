@@ -19,12 +19,12 @@ bool share(std::span<const std::int32_t> a, std::span<const std::int32_t> b)
 
 TEST(Candidates, EqualThoseOfABruteForceSearchOnACrumpledSurface)
 {
-    const TriangleMesh mesh = make_ellipsoid({3, 2, 1}, 0.4);
+    const TriangleMesh mesh = geometry::make_ellipsoid({3, 2, 1}, 0.4);
     std::vector<Vec3> x = test::perturbed(mesh.vertices, 0.3);
     x[5].x += 40.0; // long boxes among short ones
     x[9].y += 4.0;
-    SurfaceParts parts(mesh.triangles, mesh.vertices);
-    const std::span<const Edge> edges = parts.edges();
+    contact::SurfaceParts parts(mesh.triangles, mesh.vertices);
+    const std::span<const contact::Edge> edges = parts.edges();
     const std::span<const Triangle> triangles = parts.triangles();
     const auto at = [&](std::int32_t k) { return x[static_cast<std::size_t>(k)]; };
     for (const double range : {0.05, 0.3})
@@ -62,8 +62,8 @@ TEST(Candidates, EqualThoseOfABruteForceSearchOnACrumpledSurface)
         {
             for (std::int32_t b = a + 1; b < std::ssize(edges); ++b)
             {
-                const Edge& e = edges[static_cast<std::size_t>(a)];
-                const Edge& o = edges[static_cast<std::size_t>(b)];
+                const contact::Edge& e = edges[static_cast<std::size_t>(a)];
+                const contact::Edge& o = edges[static_cast<std::size_t>(b)];
                 const auto [s, t] = closest_of_segments(at(e[0]), at(e[1]), at(o[0]), at(o[1]));
                 const Vec3 between = (1.0 - s) * at(e[0]) + s * at(e[1]) - (1.0 - t) * at(o[0]) - t * at(o[1]);
                 if (!share(e, o) && norm(between) < range + reach_of(e) + reach_of(o))
@@ -73,17 +73,17 @@ TEST(Candidates, EqualThoseOfABruteForceSearchOnACrumpledSurface)
             }
         }
         ASSERT_GT(vertex_triangle.size(), 50u);
-        Candidates found;
+        contact::Candidates found;
         parts.find_candidates(x, range, reach, found);
         std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
-        for (const VertexTriangle& pair : found.vertex_triangle)
+        for (const contact::VertexTriangle& pair : found.vertex_triangle)
         {
             pairs.emplace_back(pair.vertex, pair.triangle);
         }
         std::ranges::sort(pairs);
         EXPECT_EQ(pairs, vertex_triangle);
         pairs.clear();
-        for (const EdgeEdge& pair : found.edge_edge)
+        for (const contact::EdgeEdge& pair : found.edge_edge)
         {
             pairs.emplace_back(pair.first, pair.second);
         }
@@ -96,24 +96,24 @@ TEST(Candidates, EqualThoseOfABruteForceSearchOnACrumpledSurface)
 /// from.
 TEST(Candidates, StandInTheSameOrderInAShortAndALongList)
 {
-    const TriangleMesh mesh = make_ellipsoid({3, 2, 1}, 0.3);
+    const TriangleMesh mesh = geometry::make_ellipsoid({3, 2, 1}, 0.3);
     const std::vector<Vec3> x = test::perturbed(mesh.vertices, 0.3);
-    SurfaceParts parts(mesh.triangles, mesh.vertices);
+    contact::SurfaceParts parts(mesh.triangles, mesh.vertices);
     const auto edge_pairs = [&](double reach)
     {
-        Candidates found;
+        contact::Candidates found;
         parts.find_candidates(x, 0.05, std::vector(x.size(), reach), found);
         return found.edge_edge;
     };
-    const std::vector<EdgeEdge> few = edge_pairs(0.0);
-    const std::vector<EdgeEdge> many = edge_pairs(0.1);
+    const std::vector<contact::EdgeEdge> few = edge_pairs(0.0);
+    const std::vector<contact::EdgeEdge> many = edge_pairs(0.1);
     ASSERT_GT(few.size(), 50u);
     ASSERT_GT(many.size(), 2 * few.size());
     auto next = many.begin();
-    for (const EdgeEdge& pair : few)
+    for (const contact::EdgeEdge& pair : few)
     {
         next = std::find_if(next, many.end(),
-                            [&](const EdgeEdge& other)
+                            [&](const contact::EdgeEdge& other)
                             { return other.first == pair.first && other.second == pair.second; });
         ASSERT_NE(next, many.end());
     }
@@ -121,12 +121,12 @@ TEST(Candidates, StandInTheSameOrderInAShortAndALongList)
 
 TEST(SurfaceParts, MeasureEveryPairAsTheClosestPointsOfItsPartsDo)
 {
-    const TriangleMesh mesh = make_ellipsoid({3, 2, 1}, 0.5);
+    const TriangleMesh mesh = geometry::make_ellipsoid({3, 2, 1}, 0.5);
     const std::vector<Vec3> x = test::perturbed(mesh.vertices, 0.3);
-    const SurfaceParts parts(mesh.triangles, mesh.vertices);
+    const contact::SurfaceParts parts(mesh.triangles, mesh.vertices);
     const auto at = [&](std::int32_t k) { return x[static_cast<std::size_t>(k)]; };
-    std::vector<VertexTriangle> faces;
-    std::vector<EdgeEdge> crossings;
+    std::vector<contact::VertexTriangle> faces;
+    std::vector<contact::EdgeEdge> crossings;
     for (std::int32_t k = 0; k < 21; ++k) // the last group is not full
     {
         faces.push_back({(7 * k) % static_cast<std::int32_t>(x.size()), k, 0.0});
@@ -136,10 +136,10 @@ TEST(SurfaceParts, MeasureEveryPairAsTheClosestPointsOfItsPartsDo)
     parts.measure(x, crossings);
     for (std::size_t k = 0; k < faces.size(); ++k)
     {
-        const auto v = vertices_of(faces[k], parts.triangles().data());
+        const auto v = contact::vertices_of(faces[k], parts.triangles().data());
         const auto w = closest_on_triangle(at(v[0]), at(v[1]), at(v[2]), at(v[3]));
         EXPECT_NEAR(faces[k].distance, norm(at(v[0]) - w[0] * at(v[1]) - w[1] * at(v[2]) - w[2] * at(v[3])), 1e-12);
-        const auto e = vertices_of(crossings[k], parts.edges().data());
+        const auto e = contact::vertices_of(crossings[k], parts.edges().data());
         const auto [s, t] = closest_of_segments(at(e[0]), at(e[1]), at(e[2]), at(e[3]));
         const Vec3 between = (1.0 - s) * at(e[0]) + s * at(e[1]) - (1.0 - t) * at(e[2]) - t * at(e[3]);
         EXPECT_NEAR(crossings[k].distance, norm(between), 1e-12);
@@ -149,7 +149,8 @@ TEST(SurfaceParts, MeasureEveryPairAsTheClosestPointsOfItsPartsDo)
 TEST(UniqueEdges, EachOnceInOrder)
 {
     const std::vector<Triangle> tetrahedron{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
-    EXPECT_EQ(unique_edges(tetrahedron), (std::vector<Edge>{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}));
+    EXPECT_EQ(contact::unique_edges(tetrahedron),
+              (std::vector<contact::Edge>{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}));
 }
 
 } // namespace

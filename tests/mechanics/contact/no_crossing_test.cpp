@@ -22,8 +22,8 @@ struct Loose
 {
     TriangleMesh mesh;
     std::vector<double> masses;
-    SurfaceContact contact;
-    Motion motion;
+    contact::SurfaceContact contact;
+    dynamics::Motion motion;
     std::int64_t active = 0;
     std::int64_t limited = 0;
 
@@ -40,8 +40,8 @@ struct Loose
     {
         motion.force.assign(loads.begin(), loads.end());
         active += contact.evaluate(motion.x, motion.force).active;
-        Motion next = motion;
-        if (contact.stays_apart(advance(motion, masses, dt, 0.0, next).longest))
+        dynamics::Motion next = motion;
+        if (contact.stays_apart(dynamics::advance(motion, masses, dt, 0.0, next).longest))
         {
             motion = std::move(next);
             return;
@@ -59,13 +59,13 @@ struct Loose
         }
         motion = std::move(next);
     }
-    bool crosses() const { return !self_intersections({motion.x, mesh.triangles}).empty(); }
+    bool crosses() const { return !geometry::self_intersections({motion.x, mesh.triangles}).empty(); }
 };
 
 /// Two spheres of the same size, shot at each other in steps far too long.
 TEST(TravelLimit, SurfacesNeverCrossHoweverFastTheyMove)
 {
-    const TriangleMesh ball = make_ellipsoid({2, 2, 2}, 0.7);
+    const TriangleMesh ball = geometry::make_ellipsoid({2, 2, 2}, 0.7);
     TriangleMesh left = ball;
     TriangleMesh right = ball;
     for (std::size_t k = 0; k < ball.vertices.size(); ++k)
@@ -84,7 +84,7 @@ TEST(TravelLimit, SurfacesNeverCrossHoweverFastTheyMove)
         }
         both.step(0.1, no_load);
         ASSERT_FALSE(both.crosses()) << "step " << step;
-        const SurfaceTree other(std::span(both.motion.x).subspan(half), ball.triangles);
+        const geometry::SurfaceTree other(std::span(both.motion.x).subspan(half), ball.triangles);
         for (std::size_t k = 0; k < half; ++k)
         {
             ASSERT_EQ(other.winding_number(both.motion.x[k]), 0) << "vertex " << k << " step " << step;
@@ -111,7 +111,7 @@ TEST_P(PressedPlates, NeverCross)
         mesh.vertices[k] += 0.1 * test::random_vector(1, k);
     }
     Loose plates(mesh, 1.0);
-    const double hold = ContactOptions{}.stiffness * plates.contact.activation_distance();
+    const double hold = contact::ContactOptions{}.stiffness * plates.contact.activation_distance();
     std::vector<Vec3> loads(2 * half);
     for (std::size_t k = 0; k < 2 * half; ++k)
     {

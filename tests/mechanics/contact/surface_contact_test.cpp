@@ -20,19 +20,19 @@ using test::Banks;
 constexpr double frequency = 3.0;
 constexpr double stiffness = 0.2;
 
-SurfaceContact contact_of(const Banks& rest)
+contact::SurfaceContact contact_of(const Banks& rest)
 {
     return {rest.mesh.triangles, rest.mesh.vertices, rest.masses(), 1.0, frequency, {true, 0.3, stiffness}};
 }
 
 struct Evaluated
 {
-    ContactResponse response;
+    contact::ContactResponse response;
     std::vector<Vec3> forces;
     double energy = 0.0;
 };
 
-Evaluated evaluate(SurfaceContact& contact, const std::vector<Vec3>& x)
+Evaluated evaluate(contact::SurfaceContact& contact, const std::vector<Vec3>& x)
 {
     Evaluated result;
     result.forces.resize(x.size());
@@ -54,7 +54,7 @@ Vec3 sum(std::span<const Vec3> forces)
 TEST(SurfaceContact, BanksRepelBelowTheActivationDistanceOnly)
 {
     const Banks far(2.0);
-    SurfaceContact contact = contact_of(far);
+    contact::SurfaceContact contact = contact_of(far);
     EXPECT_DOUBLE_EQ(contact.activation_distance(), 0.3);
     for (const double gap : {0.31, 0.5, 1.5})
     {
@@ -89,7 +89,7 @@ std::vector<Vec3> tip_over_triangle(double height)
     return {{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {1, 1, height}, {1, 0, 5}, {0, 1, 5}};
 }
 
-SurfaceContact tip_contact()
+contact::SurfaceContact tip_contact()
 {
     return {std::vector<Triangle>{{0, 1, 2}, {3, 4, 5}},
             tip_over_triangle(2.0),
@@ -101,7 +101,7 @@ SurfaceContact tip_contact()
 
 TEST(SurfaceContact, RepelsWithTheBarrierOfItsMass)
 {
-    SurfaceContact contact = tip_contact();
+    contact::SurfaceContact contact = tip_contact();
     const Evaluated result = evaluate(contact, tip_over_triangle(0.1));
     const double k = stiffness * 0.5 * frequency * frequency; // of the vertex, whose mass is 0.5
     const double least = 0.02 * 0.3;
@@ -116,7 +116,7 @@ TEST(SurfaceContact, RepelsWithTheBarrierOfItsMass)
 
 TEST(SurfaceContact, TheForceGrowsWithoutBoundTowardsTheLeastDistance)
 {
-    SurfaceContact contact = tip_contact();
+    contact::SurfaceContact contact = tip_contact();
     const double least = 0.02 * 0.3;
     double before = 0.0;
     for (const double room : {1e-1, 1e-2, 1e-3, 1e-4})
@@ -130,7 +130,7 @@ TEST(SurfaceContact, TheForceGrowsWithoutBoundTowardsTheLeastDistance)
 
 TEST(SurfaceContact, TheRateIsThatOfALoneSpring)
 {
-    SurfaceContact contact = tip_contact();
+    contact::SurfaceContact contact = tip_contact();
     EXPECT_EQ(evaluate(contact, tip_over_triangle(0.4)).response.largest_rate, 0.0);
     for (const double height : {0.29, 0.1, 0.03, 0.01})
     {
@@ -147,7 +147,7 @@ TEST(SurfaceContact, TheRateIsThatOfALoneSpring)
 TEST(SurfaceContact, TheRateBoundsThatOfManyPairs)
 {
     const Banks rest(2.0);
-    SurfaceContact contact = contact_of(rest);
+    contact::SurfaceContact contact = contact_of(rest);
     const std::vector<double> masses = rest.masses();
     std::vector<Vec3> x = Banks(0.15).mesh.vertices;
     for (std::size_t k = 0; k < x.size(); ++k)
@@ -190,7 +190,7 @@ TEST(SurfaceContact, TheRateBoundsThatOfManyPairs)
 
 TEST(SurfaceContact, ForcesAreMinusTheGradientOfTheEnergy)
 {
-    SurfaceContact contact = contact_of(Banks(2.0));
+    contact::SurfaceContact contact = contact_of(Banks(2.0));
     std::vector<Vec3> x = Banks(0.2).mesh.vertices;
     for (std::size_t k = 0; k < x.size(); ++k) // rough, so that no two pairs are equally close
     {
@@ -224,7 +224,7 @@ TEST(SurfaceContact, ForcesAreMinusTheGradientOfTheEnergy)
 TEST(SurfaceContact, TheEnergyIsContinuousWhereAnotherPairBecomesTheClosest)
 {
     // A rough bank slides over another. The energy changes by no more than the forces on the way say.
-    SurfaceContact contact = contact_of(Banks(2.0));
+    contact::SurfaceContact contact = contact_of(Banks(2.0));
     std::vector<Vec3> x = Banks(0.12).mesh.vertices;
     for (std::size_t k = 0; k < x.size(); ++k)
     {
@@ -251,7 +251,7 @@ TEST(SurfaceContact, TheEnergyIsContinuousWhereAnotherPairBecomesTheClosest)
 TEST(SurfaceContact, RestCloserThanTheActivationDistanceIsFreeOfForce)
 {
     const Banks rest(0.1);
-    SurfaceContact contact = contact_of(rest);
+    contact::SurfaceContact contact = contact_of(rest);
     EXPECT_EQ(evaluate(contact, rest.mesh.vertices).response.active, 0);
     EXPECT_EQ(evaluate(contact, Banks(0.15).mesh.vertices).response.active, 0);
     const Evaluated pressed = evaluate(contact, Banks(0.08).mesh.vertices);
@@ -271,11 +271,12 @@ TEST(SurfaceContact, OnlyTheClosestTrianglePushes)
         rest[3 + k].z += 3.0;
         rest[6 + k].x -= 3.0;
     }
-    SurfaceContact contact(triangles, rest, std::vector<double>(9, 1.0), 1.0, frequency, {true, 0.3, stiffness});
+    contact::SurfaceContact contact(triangles, rest, std::vector<double>(9, 1.0), 1.0, frequency,
+                                    {true, 0.3, stiffness});
     const std::vector<double> reach(x.size());
-    Candidates found;
-    SurfaceParts(triangles, x).find_candidates(x, 0.3, reach, found);
-    EXPECT_EQ(std::ranges::count(found.vertex_triangle, 0, &VertexTriangle::vertex), 2);
+    contact::Candidates found;
+    contact::SurfaceParts(triangles, x).find_candidates(x, 0.3, reach, found);
+    EXPECT_EQ(std::ranges::count(found.vertex_triangle, 0, &contact::VertexTriangle::vertex), 2);
     const Evaluated result = evaluate(contact, x);
     EXPECT_LT(result.forces[0].z, 0.0);
     EXPECT_NEAR(result.forces[0].x, 0.0, 1e-12); // of a force of order one
@@ -289,7 +290,8 @@ TEST(SurfaceContact, FoldedNeighboursRepel)
         return std::vector<Vec3>{
             {0, 0, 0}, {1, 0, 0}, {0.5, 0.8, 0}, {0.5, 0.8 * std::cos(angle), 0.8 * std::sin(angle)}};
     };
-    SurfaceContact contact(triangles, hinge(3.1), std::vector<double>(4, 1.0), 1.0, frequency, {true, 0.3, stiffness});
+    contact::SurfaceContact contact(triangles, hinge(3.1), std::vector<double>(4, 1.0), 1.0, frequency,
+                                    {true, 0.3, stiffness});
     EXPECT_EQ(evaluate(contact, hinge(0.5)).response.active, 0);
     const Evaluated shut = evaluate(contact, hinge(0.2));
     EXPECT_GT(shut.response.active, 0);
@@ -312,13 +314,13 @@ TEST(SurfaceContact, HistoryLeavesNoTrace)
         return x;
     };
     const std::vector<Vec3> now = crumpled(0.2, 4, 0.1);
-    SurfaceContact fresh = contact_of(rest);
+    contact::SurfaceContact fresh = contact_of(rest);
     const Evaluated expected = evaluate(fresh, now);
     ASSERT_GT(expected.response.active, 5);
     // Before: within the skin of now, just beyond it, and far off.
     for (const double before : {0.21, 0.4, 1.2})
     {
-        SurfaceContact used = contact_of(rest);
+        contact::SurfaceContact used = contact_of(rest);
         evaluate(used, crumpled(before, 4, 0.1));
         evaluate(used, crumpled(before - 0.005, 4, 0.1));
         const Evaluated again = evaluate(used, now);
@@ -331,7 +333,7 @@ TEST(SurfaceContact, HistoryLeavesNoTrace)
 TEST(SurfaceContact, NoPairIsMissedWhereSomeVerticesWander)
 {
     const Banks rest(2.0);
-    SurfaceContact used = contact_of(rest);
+    contact::SurfaceContact used = contact_of(rest);
     std::vector<Vec3> x = Banks(0.25).mesh.vertices;
     std::vector<Vec3> way(x.size());
     int touched = 0;
@@ -354,7 +356,7 @@ TEST(SurfaceContact, NoPairIsMissedWhereSomeVerticesWander)
         const Evaluated kept = evaluate(used, now);
         if (step % 4 == 0)
         {
-            SurfaceContact fresh = contact_of(rest);
+            contact::SurfaceContact fresh = contact_of(rest);
             const Evaluated expected = evaluate(fresh, now);
             ASSERT_EQ(kept.forces, expected.forces) << step;
             touched += expected.response.active > 0 ? 1 : 0;

@@ -20,20 +20,20 @@ namespace corticle
 namespace
 {
 
-Options fem_options()
+config::Options fem_options()
 {
-    Options options;
-    options.method = Method::fem;
+    config::Options options;
+    options.method = model::Method::fem;
     options.elements = 5000;
     options.contact.distance = 0.6; // contact is at work where the start is rough
     options.tissue.thickness_rate_mm = 0.4;
     return options;
 }
 
-Simulation rough_start(Model& body, const Options& options)
+model::Simulation rough_start(model::Model& body, const config::Options& options)
 {
-    Simulation simulation(test::shared(body), options);
-    State state;
+    model::Simulation simulation(test::shared(body), options);
+    model::State state;
     state.motion.x = test::perturbed(body.cloud.positions, 0.15 * body.cloud.spacing);
     state.motion.v.resize(state.motion.x.size());
     simulation.restore(std::move(state));
@@ -45,15 +45,15 @@ using test::take_steps;
 
 TEST(FemSimulation, OneAndTwoThreadsGiveTheSameBitsFromTheMeshOn)
 {
-    const Options options = fem_options();
+    const config::Options options = fem_options();
     const int threads = thread_count();
     set_thread_count(1);
-    Model body_of_one = prepare_body(options).model;
-    Simulation one = rough_start(body_of_one, options);
+    model::Model body_of_one = prepare::prepare_body(options).model;
+    model::Simulation one = rough_start(body_of_one, options);
     take_steps(one, 40);
     set_thread_count(2);
-    Model body_of_two = prepare_body(options).model;
-    Simulation two = rough_start(body_of_two, options);
+    model::Model body_of_two = prepare::prepare_body(options).model;
+    model::Simulation two = rough_start(body_of_two, options);
     take_steps(two, 40);
     set_thread_count(threads);
     ASSERT_EQ(body_of_one.fem->elements.tets, body_of_two.fem->elements.tets);
@@ -62,45 +62,45 @@ TEST(FemSimulation, OneAndTwoThreadsGiveTheSameBitsFromTheMeshOn)
 
 TEST(FemSimulation, GoesOnFromACheckpointAndABodyFileToTheSameBits)
 {
-    const Options options = fem_options();
+    const config::Options options = fem_options();
     const TemporaryFolder folder;
-    Preparation made = prepare_body(options);
-    Model& body = made.model;
-    write_body(folder / "body.h5", made, options);
-    Simulation whole = rough_start(body, options);
+    prepare::Preparation made = prepare::prepare_body(options);
+    model::Model& body = made.model;
+    record::write_body(folder / "body.h5", made, options);
+    model::Simulation whole = rough_start(body, options);
     take_steps(whole, 20);
     EXPECT_GT(whole.contact().active, 0);
-    const Checkpoint checkpoint = to_checkpoint(whole.state(), {}, "case");
+    const record::Checkpoint checkpoint = record::to_checkpoint(whole.state(), {}, "case");
     take_steps(whole, 20);
 
-    Preparation made_again = read_body(folder / "body.h5", options);
-    connect_body(options, made_again);
-    Model& read = made_again.model;
-    Simulation resumed(test::shared(read), options);
-    resumed.restore(from_checkpoint(checkpoint, read.cloud.positions.size(), "checkpoint.h5").state);
+    prepare::Preparation made_again = record::read_body(folder / "body.h5", options);
+    prepare::connect_body(options, made_again);
+    model::Model& read = made_again.model;
+    model::Simulation resumed(test::shared(read), options);
+    resumed.restore(record::from_checkpoint(checkpoint, read.cloud.positions.size(), "checkpoint.h5").state);
     take_steps(resumed, 20);
     expect_same_bits(whole, resumed);
 
-    Options particles = options;
-    particles.method = Method::tlsph;
+    config::Options particles = options;
+    particles.method = model::Method::tlsph;
     particles.elements.reset();
-    EXPECT_THROW(read_body(folder / "body.h5", particles), InputError);
+    EXPECT_THROW(record::read_body(folder / "body.h5", particles), InputError);
 }
 
 TEST(FemSimulation, EnergyBooksOfGrowthBalance)
 {
-    Options options;
-    options.method = Method::fem;
+    config::Options options;
+    options.method = model::Method::fem;
     options.elements = 10000;
     options.contact.enabled = false;
     options.dynamics.cfl = 0.3;
-    Model body = prepare_body(options).model;
-    Simulation simulation(test::shared(body), options);
+    model::Model body = prepare::prepare_body(options).model;
+    model::Simulation simulation(test::shared(body), options);
     while (simulation.state().t < 0.1)
     {
         simulation.step(0.1);
     }
-    const State& state = simulation.state();
+    const model::State& state = simulation.state();
     const double stored = simulation.internal().elastic_energy;
     EXPECT_NEAR((stored + state.kinetic_energy + state.books.dissipated) / state.books.growth_work, 1.0, 0.002);
     EXPECT_LT(state.kinetic_energy, 0.05 * stored);
@@ -108,14 +108,14 @@ TEST(FemSimulation, EnergyBooksOfGrowthBalance)
 
 TEST(FemBody, SharesItsSurfaceWithTheParticlesOfTheSameSpacing)
 {
-    Options options;
+    config::Options options;
     options.geometry.spacing_mm = 1.5;
-    const Model particles = prepare_body(options).model;
-    options.method = Method::fem;
-    const Model elements = prepare_body(options).model;
-    options.method = Method::tlsph;
-    options.geometry.arrangement = Arrangement::mesh_nodes;
-    const Model nodes = prepare_body(options).model;
+    const model::Model particles = prepare::prepare_body(options).model;
+    options.method = model::Method::fem;
+    const model::Model elements = prepare::prepare_body(options).model;
+    options.method = model::Method::tlsph;
+    options.geometry.arrangement = prepare::Arrangement::mesh_nodes;
+    const model::Model nodes = prepare::prepare_body(options).model;
     EXPECT_EQ(particles.surface.vertices, elements.surface.vertices);
     EXPECT_NEAR(elements.cloud.spacing / 1.5, 1.0, 0.03);
     EXPECT_EQ(nodes.cloud.positions, elements.cloud.positions);
@@ -126,21 +126,21 @@ TEST(FemBody, SharesItsSurfaceWithTheParticlesOfTheSameSpacing)
 TEST(FemBody, TakesTheTetsOfAFileAsTheyAre)
 {
     const TemporaryFolder folder;
-    const TriangleMesh surface = make_ellipsoid({8.0, 8.0, 8.0}, 1.5);
-    const TetMesh mesh = tetrahedralize(surface, 900);
+    const TriangleMesh surface = geometry::make_ellipsoid({8.0, 8.0, 8.0}, 1.5);
+    const TetMesh mesh = geometry::tetrahedralize(surface, 900);
     write_tets_msh(folder / "ball.msh", mesh);
-    Options options;
-    options.method = Method::fem;
-    options.geometry.shape = Shape::file;
+    config::Options options;
+    options.method = model::Method::fem;
+    options.geometry.shape = prepare::Shape::file;
     options.geometry.file = (folder / "ball.msh").string();
-    options.geometry.arrangement = Arrangement::tet_nodes;
-    const Model body = prepare_body(options).model;
+    options.geometry.arrangement = prepare::Arrangement::tet_nodes;
+    const model::Model body = prepare::prepare_body(options).model;
     EXPECT_EQ(body.fem->elements.tets.size(), mesh.tets.size());
     EXPECT_EQ(body.cloud.positions.size(), mesh.vertices.size());
     EXPECT_NEAR(mesh_volume({body.fem->elements.X, body.fem->elements.tets}) / mesh_volume(mesh), 1.0, 1e-12);
-    options.geometry.arrangement = Arrangement::body_fitted;
+    options.geometry.arrangement = prepare::Arrangement::body_fitted;
     options.elements = 6000;
-    EXPECT_NEAR(static_cast<double>(prepare_body(options).model.fem->elements.tets.size()) / 6000.0, 1.0, 0.1);
+    EXPECT_NEAR(static_cast<double>(prepare::prepare_body(options).model.fem->elements.tets.size()) / 6000.0, 1.0, 0.1);
 }
 
 } // namespace

@@ -14,7 +14,7 @@ namespace corticle::test
 /// Tets and the tissue at their centroids.
 struct ElementBody
 {
-    TetElements elements;
+    fem::TetElements elements;
     OwnTissue tissue;
 };
 
@@ -22,7 +22,7 @@ struct ElementBody
 inline ElementBody plain_elements(const TetMesh& mesh)
 {
     const double spacing = std::cbrt(mesh_volume(mesh) / static_cast<double>(mesh.vertices.size()));
-    ElementBody body{make_elements(mesh.vertices, ordered_tets(mesh.vertices, mesh.tets), spacing), {}};
+    ElementBody body{fem::make_elements(mesh.vertices, fem::ordered_tets(mesh.vertices, mesh.tets), spacing), {}};
     const std::size_t count = body.elements.tets.size();
     body.tissue.volume = body.elements.volume;
     body.tissue.depth.assign(count, 1.0);
@@ -43,7 +43,7 @@ inline ElementBody layered_block()
         mesh.vertices[i] += 0.06 * random_vector(11, i);
     }
     ElementBody body = plain_elements(mesh);
-    const std::vector<Vec3> centres = centroids(body.elements.X, body.elements.tets);
+    const std::vector<Vec3> centres = fem::centroids(body.elements.X, body.elements.tets);
     for (std::size_t e = 0; e < centres.size(); ++e)
     {
         const Vec3& X = centres[e];

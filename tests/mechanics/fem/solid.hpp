@@ -17,10 +17,10 @@ struct Solid
     std::vector<Vec3> X;
     std::vector<double> mass;
     double spacing = 0.0;
-    ElementBody tets;    ///< of the elements
-    Particles particles; ///< of the particles
-    OwnTissue tissue;    ///< of the particles
-    std::unique_ptr<Discretization> method;
+    ElementBody tets;           ///< of the elements
+    tlsph::Particles particles; ///< of the particles
+    OwnTissue tissue;           ///< of the particles
+    std::unique_ptr<mechanics::Discretization> method;
 };
 
 inline OwnTissue plain_tissue(std::size_t count, std::vector<double> volume, double bulk_modulus)
@@ -40,12 +40,12 @@ inline std::unique_ptr<Solid> solid_of_tets(const TetMesh& mesh, double bulk_mod
 {
     auto solid = std::make_unique<Solid>();
     solid->tets = plain_elements(mesh);
-    const TetElements& elements = solid->tets.elements;
+    const fem::TetElements& elements = solid->tets.elements;
     solid->tets.tissue = plain_tissue(elements.tets.size(), elements.volume, bulk_modulus);
     solid->X = elements.X;
     solid->mass = elements.node_volume;
     solid->spacing = elements.spacing;
-    solid->method = std::make_unique<FemSolver>(elements, solid->tets.tissue);
+    solid->method = std::make_unique<fem::FemSolver>(elements, solid->tets.tissue);
     return solid;
 }
 
@@ -53,22 +53,23 @@ inline std::unique_ptr<Solid> solid_of_tets(const TetMesh& mesh, double bulk_mod
 inline std::unique_ptr<Solid> solid_of_particles(const TetMesh& mesh, double spacing, double bulk_modulus)
 {
     auto solid = std::make_unique<Solid>();
-    const Cloud cloud = fill_surface(boundary_of(mesh).surface, {spacing, 1});
-    const TlsphOptions options;
-    solid->particles = make_particles(cloud, find_pairs_within(cloud.positions, options.support * spacing), options);
+    const Cloud cloud = cloud::fill_surface(boundary_of(mesh).surface, {spacing, 1});
+    const tlsph::TlsphOptions options;
+    solid->particles =
+        tlsph::make_particles(cloud, cloud::find_pairs_within(cloud.positions, options.support * spacing), options);
     solid->tissue = plain_tissue(cloud.positions.size(), cloud.volumes, bulk_modulus);
     solid->X = cloud.positions;
     solid->mass = cloud.volumes;
     solid->spacing = cloud.spacing;
-    solid->method = std::make_unique<TlsphSolver>(solid->particles, solid->tissue);
+    solid->method = std::make_unique<tlsph::TlsphSolver>(solid->particles, solid->tissue);
     return solid;
 }
 
 /// Forces of the tissue and dead loads, none on what is held.
-inline InternalResponse evaluate(Solid& solid, Motion& motion, std::span<const Vec3> loads,
-                                 const std::vector<Vec3>& freedom)
+inline mechanics::InternalResponse evaluate(Solid& solid, dynamics::Motion& motion, std::span<const Vec3> loads,
+                                            const std::vector<Vec3>& freedom)
 {
-    const InternalResponse response = solid.method->evaluate(motion.x, 0.0, motion.force);
+    const mechanics::InternalResponse response = solid.method->evaluate(motion.x, 0.0, motion.force);
     for (std::size_t i = 0; i < motion.x.size(); ++i)
     {
         const Vec3 force = motion.force[i] + (loads.empty() ? Vec3{} : loads[i]);
@@ -79,20 +80,20 @@ inline InternalResponse evaluate(Solid& solid, Motion& motion, std::span<const V
 
 /// Takes steps until `stop(motion, time, kinetic energy)` says so. @param freedom  1 along each axis a node may move
 template <class Stop>
-bool move(Solid& solid, Motion& motion, std::span<const Vec3> loads, const std::vector<Vec3>& freedom, double cfl,
-          Stop&& stop)
+bool move(Solid& solid, dynamics::Motion& motion, std::span<const Vec3> loads, const std::vector<Vec3>& freedom,
+          double cfl, Stop&& stop)
 {
     double time = 0.0;
     for (;;)
     {
-        const InternalResponse response = evaluate(solid, motion, loads, freedom);
+        const mechanics::InternalResponse response = evaluate(solid, motion, loads, freedom);
         if (response.invalid_at >= 0)
         {
             return false;
         }
-        const double dt = critical_step(cfl, solid.spacing, response.stiffest_rate);
-        Motion next = motion;
-        const double kinetic = advance(motion, solid.mass, dt, 0.0, next).kinetic;
+        const double dt = dynamics::critical_step(cfl, solid.spacing, response.stiffest_rate);
+        dynamics::Motion next = motion;
+        const double kinetic = dynamics::advance(motion, solid.mass, dt, 0.0, next).kinetic;
         motion = std::move(next);
         time += dt;
         if (stop(motion, time, kinetic))

@@ -43,11 +43,11 @@ double membrane_deflection(int bricks)
             middle = std::abs(X.y - 52.0) < std::abs(solid->X[middle].y - 52.0) || middle == 0 ? i : middle;
         }
     }
-    Motion motion{solid->X, std::vector<Vec3>(solid->X.size()), std::vector<Vec3>(solid->X.size())};
+    dynamics::Motion motion{solid->X, std::vector<Vec3>(solid->X.size()), std::vector<Vec3>(solid->X.size())};
     double before = 0.0;
     int peaks = 0;
     const bool done = test::move(*solid, motion, loads, freedom, 0.9,
-                                 [&](Motion& now, double, double kinetic)
+                                 [&](dynamics::Motion& now, double, double kinetic)
                                  {
                                      if (kinetic < before) // past its peak: nearest to equilibrium
                                      {
@@ -99,7 +99,7 @@ TetMesh column_mesh(int bricks)
 Twist twist(Solid& column, double cfl)
 {
     std::vector<Vec3> freedom;
-    Motion motion{column.X, {}, std::vector<Vec3>(column.X.size())};
+    dynamics::Motion motion{column.X, {}, std::vector<Vec3>(column.X.size())};
     for (const Vec3& X : column.X)
     {
         freedom.push_back(X.y > 1e-9 ? Vec3{1, 1, 1} : Vec3{});
@@ -109,7 +109,7 @@ Twist twist(Solid& column, double cfl)
     Twist result;
     double angle = 0.0;
     const bool done = test::move(column, motion, {}, freedom, cfl,
-                                 [&](const Motion& now, double time, double)
+                                 [&](const dynamics::Motion& now, double time, double)
                                  {
                                      double along = 0.0;
                                      double across = 0.0;

@@ -16,14 +16,14 @@ struct Situation
     const char* name;
     double compression; ///< of all positions
     double roughness;   ///< of the positions [mm]; 0.35 inverts elements
-    TissueOptions tissue;
+    material::TissueOptions tissue;
     bool layer_moves = false;
     bool has_extrapolated = false;
 };
 
-TissueOptions tissue_with(const std::function<void(TissueOptions&)>& change)
+material::TissueOptions tissue_with(const std::function<void(material::TissueOptions&)>& change)
 {
-    TissueOptions options;
+    material::TissueOptions options;
     options.thickness_mm = 0.8;
     options.barrier_J = 0.1; // out of reach unless asked for
     change(options);
@@ -40,7 +40,7 @@ class FemForces : public testing::TestWithParam<Situation>
         x = test::perturbed(test::affine(body.elements.X, A), GetParam().roughness);
     }
 
-    double energy(FemSolver& solver, double at)
+    double energy(fem::FemSolver& solver, double at)
     {
         if (GetParam().layer_moves)
         {
@@ -57,10 +57,10 @@ class FemForces : public testing::TestWithParam<Situation>
 
 TEST_P(FemForces, AreMinusTheGradientOfTheEnergy)
 {
-    FemSolver solver(body.elements, body.tissue);
+    fem::FemSolver solver(body.elements, body.tissue);
     std::vector<Vec3> forces(x.size());
     energy(solver, t);
-    const InternalResponse response = solver.evaluate(x, t, forces);
+    const mechanics::InternalResponse response = solver.evaluate(x, t, forces);
     ASSERT_EQ(response.invalid_at, -1);
     EXPECT_EQ(response.barrier_count > 0, GetParam().tissue.barrier_J > 0.5);
     EXPECT_EQ(response.extrapolated_count > 0, GetParam().has_extrapolated);
@@ -84,11 +84,11 @@ TEST_P(FemForces, AreMinusTheGradientOfTheEnergy)
 
 TEST_P(FemForces, GrowthPowerIsTheDerivativeOfTheEnergyInTime)
 {
-    if (GetParam().tissue.normal == NormalFrame::current)
+    if (GetParam().tissue.normal == material::NormalFrame::current)
     {
         GTEST_SKIP() << "the test below covers it";
     }
-    FemSolver solver(body.elements, body.tissue);
+    fem::FemSolver solver(body.elements, body.tissue);
     energy(solver, t);
     const double power = solver.evaluate(x, t, scratch).growth_power;
     const double h = 1e-5;
@@ -98,17 +98,17 @@ TEST_P(FemForces, GrowthPowerIsTheDerivativeOfTheEnergyInTime)
 
 INSTANTIATE_TEST_SUITE_P(
     Situations, FemForces,
-    testing::Values(Situation{"per_tissue", 1.0, 0.05, tissue_with([](auto&) {})},
-                    Situation{"uniform", 1.0, 0.05, tissue_with([](auto& o) { o.bulk = BulkRule::uniform; })},
-                    Situation{"barrier", 0.8, 0.02, tissue_with([](auto& o) { o.barrier_J = 0.6; })},
-                    Situation{"radial", 1.0, 0.05, tissue_with([](auto& o) { o.alpha_r = 0.7, o.alpha_white = 0.4; })},
-                    Situation{"gompertz", 1.0, 0.05, tissue_with([](auto& o) { o.growth_law = GrowthLaw::gompertz; })},
-                    Situation{"thickening", 1.0, 0.05, tissue_with([](auto& o) { o.thickness_rate_mm = 0.3; }), true},
-                    Situation{"inverted", 1.0, 0.35, tissue_with([](auto& o) { o.barrier_J = 0.0; }), false, true},
-                    Situation{
-                        "inverted_thickening", 1.0, 0.35,
-                        tissue_with([](auto& o) { o.barrier_J = 0.0, o.alpha_r = 0.5, o.thickness_rate_mm = 0.3; }),
-                        true, true}),
+    testing::Values(
+        Situation{"per_tissue", 1.0, 0.05, tissue_with([](auto&) {})},
+        Situation{"uniform", 1.0, 0.05, tissue_with([](auto& o) { o.bulk = material::BulkRule::uniform; })},
+        Situation{"barrier", 0.8, 0.02, tissue_with([](auto& o) { o.barrier_J = 0.6; })},
+        Situation{"radial", 1.0, 0.05, tissue_with([](auto& o) { o.alpha_r = 0.7, o.alpha_white = 0.4; })},
+        Situation{"gompertz", 1.0, 0.05, tissue_with([](auto& o) { o.growth_law = material::GrowthLaw::gompertz; })},
+        Situation{"thickening", 1.0, 0.05, tissue_with([](auto& o) { o.thickness_rate_mm = 0.3; }), true},
+        Situation{"inverted", 1.0, 0.35, tissue_with([](auto& o) { o.barrier_J = 0.0; }), false, true},
+        Situation{"inverted_thickening", 1.0, 0.35,
+                  tissue_with([](auto& o) { o.barrier_J = 0.0, o.alpha_r = 0.5, o.thickness_rate_mm = 0.3; }), true,
+                  true}),
     [](const auto& situation) { return situation.param.name; });
 
 TEST(FemForcesOfTheCurrentNormal, AreThoseOfTheReferenceNormalTurnedBackByHand)
@@ -120,14 +120,14 @@ TEST(FemForcesOfTheCurrentNormal, AreThoseOfTheReferenceNormalTurnedBackByHand)
     const std::vector<Vec3> x = test::affine(body.elements.X, A);
     std::vector<Vec3> turned(x.size());
     std::vector<Vec3> by_hand(x.size());
-    body.tissue.options.normal = NormalFrame::current;
-    FemSolver(body.elements, body.tissue).evaluate(x, 0.3, turned);
-    body.tissue.options.normal = NormalFrame::reference;
+    body.tissue.options.normal = material::NormalFrame::current;
+    fem::FemSolver(body.elements, body.tissue).evaluate(x, 0.3, turned);
+    body.tissue.options.normal = material::NormalFrame::reference;
     for (Vec3& n : body.tissue.normal)
     {
-        n = current_normal(A, n);
+        n = material::current_normal(A, n);
     }
-    FemSolver(body.elements, body.tissue).evaluate(x, 0.3, by_hand);
+    fem::FemSolver(body.elements, body.tissue).evaluate(x, 0.3, by_hand);
     for (std::size_t i = 0; i < x.size(); ++i)
     {
         EXPECT_LT(norm(turned[i] - by_hand[i]), 1e-12 * test::largest_norm(by_hand));
@@ -142,7 +142,7 @@ TEST(SingularValues, GiveTheMatrixBackWithRotations)
                                 Vec3{1.5, 1e-9, -1e-9}, Vec3{1.0, 1.0, -1.0}, Vec3{0.0, 0.0, 0.0}})
     {
         const Mat3 F = Q * Mat3::diagonal(stretch.x, stretch.y, stretch.z) * transpose(R);
-        const SingularValues s = singular_values(F);
+        const fem::SingularValues s = fem::singular_values(F);
         const Mat3 back = s.U * Mat3::diagonal(s.stretch.x, s.stretch.y, s.stretch.z) * transpose(s.V);
         EXPECT_LT(test::largest_difference(back, F), 1e-12);
         EXPECT_NEAR(determinant(s.U), 1.0, 1e-12);
@@ -153,9 +153,9 @@ TEST(SingularValues, GiveTheMatrixBackWithRotations)
 
 TEST(Extrapolation, MeetsTheLawAtATenth)
 {
-    const Mat3 F = Mat3::diagonal(1.4, 0.9, extrapolated_stretch);
-    const ElasticResponse outer = extrapolated_deviatoric(singular_values(F), 0.86, 4.3);
-    const ElasticResponse law = elastic_response(NeoHookean{}, 0.86, 0.0, F);
+    const Mat3 F = Mat3::diagonal(1.4, 0.9, fem::extrapolated_stretch);
+    const material::ElasticResponse outer = fem::extrapolated_deviatoric(fem::singular_values(F), 0.86, 4.3);
+    const material::ElasticResponse law = material::elastic_response(material::NeoHookean{}, 0.86, 0.0, F);
     EXPECT_NEAR(outer.deviatoric_energy, law.deviatoric_energy, 1e-13);
     EXPECT_EQ(outer.volumetric_energy, 0.0);
     EXPECT_LT(test::largest_difference(outer.stress, law.stress), 1e-12);

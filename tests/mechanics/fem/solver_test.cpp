@@ -26,9 +26,9 @@ const Mat3 stretch{{{1.2, 0.05, -0.1}, {0.1, 0.9, 0.2}, {-0.15, 0.1, 1.1}}};
 TEST(FemExactness, RestIsFreeOfStrainAndForce)
 {
     const ElementBody body = test::layered_block();
-    FemSolver solver(body.elements, body.tissue);
+    fem::FemSolver solver(body.elements, body.tissue);
     std::vector<Vec3> forces(body.elements.X.size());
-    const InternalResponse response = solver.evaluate(body.elements.X, 0.0, forces);
+    const mechanics::InternalResponse response = solver.evaluate(body.elements.X, 0.0, forces);
     EXPECT_EQ(response.invalid_at, -1);
     EXPECT_EQ(response.barrier_count + response.extrapolated_count + response.inverted_count, 0);
     EXPECT_NEAR(response.smallest_J, 1.0, 1e-12);
@@ -40,10 +40,10 @@ TEST(FemExactness, SmallestJOfATetCountThatIsNoMultipleOfEight)
 {
     const ElementBody body = test::plain_elements(test::tet_box(3, {-1, -1, -1}, {1, 1, 1}));
     ASSERT_NE(body.elements.tets.size() % 8, 0u);
-    FemSolver solver(body.elements, body.tissue);
+    fem::FemSolver solver(body.elements, body.tissue);
     const std::vector<Vec3> x = affine(body.elements.X, stretch);
     std::vector<Vec3> forces(x.size());
-    const InternalResponse response = solver.evaluate(x, 0.0, forces);
+    const mechanics::InternalResponse response = solver.evaluate(x, 0.0, forces);
     EXPECT_NEAR(response.smallest_J, determinant(stretch), 1e-12);
     ASSERT_GE(response.smallest_J_at, 0);
     EXPECT_LT(response.smallest_J_at, std::ssize(body.elements.tets));
@@ -62,12 +62,12 @@ TEST(FemExactness, PatchTest)
         mesh.vertices[i] += (is_inner[i] ? 0.08 : 0.0) * test::random_vector(3, i);
     }
     const ElementBody body = test::plain_elements(mesh);
-    FemSolver solver(body.elements, body.tissue);
+    fem::FemSolver solver(body.elements, body.tissue);
     const std::vector<Vec3> x = affine(mesh.vertices, stretch, {3.0, -7.0, 2.0});
     std::vector<Vec3> forces(x.size());
-    const InternalResponse response = solver.evaluate(x, 0.0, forces);
+    const mechanics::InternalResponse response = solver.evaluate(x, 0.0, forces);
     // W of the law at this F, everywhere.
-    const ElasticResponse expected = elastic_response(NeoHookean{0.3}, 1.0, 5.0, stretch);
+    const material::ElasticResponse expected = material::elastic_response(material::NeoHookean{0.3}, 1.0, 5.0, stretch);
     EXPECT_NEAR(response.elastic_energy / (8.0 * (expected.deviatoric_energy + expected.volumetric_energy)), 1.0,
                 1e-12);
     EXPECT_NEAR(response.smallest_J, determinant(stretch), 1e-12);
@@ -93,7 +93,7 @@ TEST(FemExactness, PatchTest)
 TEST(FemExactness, RigidRotationCostsNothing)
 {
     const ElementBody body = test::layered_block();
-    FemSolver solver(body.elements, body.tissue);
+    fem::FemSolver solver(body.elements, body.tissue);
     const Mat3 Q = test::rotation(Vec3{2, -1, 2} / 3.0, 2.3);
     const std::vector<Vec3> x = affine(body.elements.X, Q, {1.0, 2.0, 3.0});
     std::vector<Vec3> forces(x.size());
@@ -109,10 +109,10 @@ TEST(FemExactness, FreeIsotropicGrowthIsFreeOfForceAndStress)
     std::ranges::fill(body.tissue.regional_rate, 1.0);
     const double t = 0.4;
     const double g = 1.0 + body.tissue.options.alpha_t * t;
-    FemSolver solver(body.elements, body.tissue);
+    fem::FemSolver solver(body.elements, body.tissue);
     const std::vector<Vec3> x = affine(body.elements.X, g * Mat3::identity());
     std::vector<Vec3> forces(x.size());
-    const InternalResponse response = solver.evaluate(x, t, forces);
+    const mechanics::InternalResponse response = solver.evaluate(x, t, forces);
     EXPECT_LT(largest_norm(forces), 1e-11);
     EXPECT_LT(std::abs(response.elastic_energy), 1e-11);
     EXPECT_NEAR(response.smallest_J, g * g * g, 1e-11);
@@ -121,7 +121,7 @@ TEST(FemExactness, FreeIsotropicGrowthIsFreeOfForceAndStress)
 TEST(FemExactness, BothMomentaAreConserved)
 {
     const ElementBody body = test::layered_block();
-    FemSolver solver(body.elements, body.tissue);
+    fem::FemSolver solver(body.elements, body.tissue);
     const std::vector<Vec3> x = perturbed(affine(body.elements.X, stretch, {5.0, 0.0, -3.0}), 0.05);
     std::vector<Vec3> forces(x.size());
     ASSERT_EQ(solver.evaluate(x, 0.3, forces).invalid_at, -1);
@@ -131,15 +131,15 @@ TEST(FemExactness, BothMomentaAreConserved)
 TEST(FemExactness, OneAndTwoThreadsGiveTheSameBits)
 {
     const ElementBody body = test::layered_block();
-    FemSolver solver(body.elements, body.tissue);
+    fem::FemSolver solver(body.elements, body.tissue);
     const std::vector<Vec3> x = perturbed(body.elements.X, 0.1);
     const int threads = thread_count();
     std::vector<Vec3> one(x.size());
     std::vector<Vec3> two(x.size());
     set_thread_count(1);
-    const InternalResponse by_one = solver.evaluate(x, 0.3, one);
+    const mechanics::InternalResponse by_one = solver.evaluate(x, 0.3, one);
     set_thread_count(2);
-    const InternalResponse by_two = solver.evaluate(x, 0.3, two);
+    const mechanics::InternalResponse by_two = solver.evaluate(x, 0.3, two);
     set_thread_count(threads);
     EXPECT_EQ(one, two);
     EXPECT_EQ(by_one.elastic_energy, by_two.elastic_energy);
@@ -152,14 +152,14 @@ TEST(FemExactness, InvertedElementsSurviveAndAreCounted)
 {
     ElementBody body = test::layered_block();
     body.tissue.options.barrier_J = 0.0;
-    FemSolver solver(body.elements, body.tissue);
+    fem::FemSolver solver(body.elements, body.tissue);
     std::vector<Vec3> x = body.elements.X;
     // A node pushed through the opposite face of one of its tets.
     const Tet& tet = body.elements.tets[1500];
     const Vec3 face = (1.0 / 3.0) * (x[tet[1]] + x[tet[2]] + x[tet[3]]);
     x[tet[0]] += 1.3 * (face - x[tet[0]]);
     std::vector<Vec3> forces(x.size());
-    const InternalResponse response = solver.evaluate(x, 0.0, forces);
+    const mechanics::InternalResponse response = solver.evaluate(x, 0.0, forces);
     EXPECT_EQ(response.invalid_at, -1);
     EXPECT_LT(response.smallest_J, 0.0);
     EXPECT_GE(response.inverted_count, 1);
@@ -173,7 +173,7 @@ TEST(FemExactness, InvertedElementsSurviveAndAreCounted)
 TEST(FemExactness, ACollapsedNodeOrNoNumberIsInvalidAndDescribed)
 {
     const ElementBody body = test::layered_block();
-    FemSolver solver(body.elements, body.tissue);
+    fem::FemSolver solver(body.elements, body.tissue);
     std::vector<Vec3> forces(body.elements.X.size());
     const std::vector<Vec3> mirrored = affine(body.elements.X, Mat3::diagonal(-1, 1, 1));
     EXPECT_EQ(solver.evaluate(mirrored, 0.0, forces).invalid_at, 0);
@@ -186,7 +186,7 @@ TEST(FemExactness, ACollapsedNodeOrNoNumberIsInvalidAndDescribed)
 TEST(FemElements, PartsOfTheNodesHoldEveryTetOnce)
 {
     const ElementBody body = test::layered_block();
-    const TetElements& elements = body.elements;
+    const fem::TetElements& elements = body.elements;
     EXPECT_EQ(elements.part.size(), elements.chunk_node.size());
     for (std::size_t e = 0; e < elements.tets.size(); ++e)
     {
@@ -205,7 +205,7 @@ TEST(FemElements, ATetWithoutVolumeIsRefused)
 {
     TetMesh mesh = test::tet_box(1, {0, 0, 0}, {1, 1, 1});
     std::swap(mesh.tets[3][0], mesh.tets[3][1]);
-    EXPECT_THROW(make_elements(mesh.vertices, mesh.tets, 1.0), InputError);
+    EXPECT_THROW(fem::make_elements(mesh.vertices, mesh.tets, 1.0), InputError);
 }
 
 } // namespace

@@ -26,7 +26,7 @@ class PrintedForces : public testing::Test
         v = test::perturbed(std::vector<Vec3>(x.size()), 0.1);
     }
 
-    std::vector<Vec3> forces_of(Discretization& solver)
+    std::vector<Vec3> forces_of(mechanics::Discretization& solver)
     {
         std::vector<Vec3> forces(x.size());
         response = solver.evaluate(x, growth_time, forces);
@@ -43,7 +43,7 @@ class PrintedForces : public testing::Test
     /// P of thesis eq. 23 of this F, by the Cauchy stress it prints.
     Mat3 printed_stress(std::size_t i, const Mat3& F) const
     {
-        const MaterialPoint point = body.tissue.point(i, growth_time);
+        const material::MaterialPoint point = body.tissue.point(i, growth_time);
         const double J = determinant(F);
         const Mat3 B = F * transpose(F);
         const Mat3 sigma = (point.shear_modulus * std::pow(J, -5.0 / 3.0)) * (B - (trace(B) / 3.0) * Mat3::identity()) +
@@ -54,7 +54,7 @@ class PrintedForces : public testing::Test
     test::Body body;
     std::vector<Vec3> x;
     std::vector<Vec3> v;
-    InternalResponse response;
+    mechanics::InternalResponse response;
 };
 
 double largest_difference(std::span<const Vec3> a, std::span<const Vec3> b)
@@ -69,11 +69,12 @@ double largest_difference(std::span<const Vec3> a, std::span<const Vec3> b)
 
 TEST_F(PrintedForces, WithEverythingPutRightAreThoseOfTheMainSolver)
 {
-    TlsphSolver ours(body.particles, body.tissue);
+    tlsph::TlsphSolver ours(body.particles, body.tissue);
     const std::vector<Vec3> expected = forces_of(ours);
-    const InternalResponse main = response;
-    PrintedSolver printed(body.particles, body.tissue,
-                          {GrowthEntry::divided, ForceForm::conservative, KernelGradient::corrected, 0.0, 0.0});
+    const mechanics::InternalResponse main = response;
+    thesis::PrintedSolver printed(
+        body.particles, body.tissue,
+        {thesis::GrowthEntry::divided, thesis::ForceForm::conservative, thesis::KernelGradient::corrected, 0.0, 0.0});
     const std::vector<Vec3> forces = forces_of(printed);
     // Sums of products of coordinates instead of differences lose about the square of body over support in digits.
     EXPECT_LT(largest_difference(forces, expected), 1e-11 * test::largest_norm(expected));
@@ -91,11 +92,11 @@ TEST_F(PrintedForces, WithEverythingPutRightAreThoseOfTheMainSolver)
 /// Every choice of force and gradient against plain loops over thesis eqs. 9, 10, 22 and 23.
 TEST_F(PrintedForces, AgreeWithPlainLoops)
 {
-    const Particles& p = body.particles;
+    const tlsph::Particles& p = body.particles;
     body.particles.options.zeta = 0.0;
     body.tissue.options.barrier_J = 0.0;
-    for (const KernelGradient gradient :
-         {KernelGradient::plain, KernelGradient::displacement, KernelGradient::corrected})
+    for (const thesis::KernelGradient gradient :
+         {thesis::KernelGradient::plain, thesis::KernelGradient::displacement, thesis::KernelGradient::corrected})
     {
         std::vector<Mat3> C(x.size());
         std::vector<Mat3> P(x.size());
@@ -111,11 +112,11 @@ TEST_F(PrintedForces, AgreeWithPlainLoops)
                 F += weight * outer(x[j] - x[i], X_ij);
                 shape += weight * outer(X_ij, X_ij);
             }
-            C[i] = gradient == KernelGradient::corrected ? inverse(shape) : Mat3::identity();
-            F = gradient == KernelGradient::displacement ? Mat3::identity() + F - shape : F * C[i];
+            C[i] = gradient == thesis::KernelGradient::corrected ? inverse(shape) : Mat3::identity();
+            F = gradient == thesis::KernelGradient::displacement ? Mat3::identity() + F - shape : F * C[i];
             P[i] = printed_stress(i, F * growth(i));
         }
-        for (const ForceForm form : {ForceForm::difference, ForceForm::conservative})
+        for (const thesis::ForceForm form : {thesis::ForceForm::difference, thesis::ForceForm::conservative})
         {
             std::vector<Vec3> expected(x.size());
             for (std::size_t i = 0; i < x.size(); ++i)
@@ -124,11 +125,12 @@ TEST_F(PrintedForces, AgreeWithPlainLoops)
                 {
                     const std::int32_t j = p.pairs.neighbor(i, k);
                     const Vec3 X_ij = p.X[j] - p.X[i];
-                    const Mat3 S = form == ForceForm::difference ? (P[j] - P[i]) * C[i] : P[j] * C[j] + P[i] * C[i];
+                    const Mat3 S =
+                        form == thesis::ForceForm::difference ? (P[j] - P[i]) * C[i] : P[j] * C[j] + P[i] * C[i];
                     expected[i] += double{p.pairs.weight[k]} * (S * X_ij);
                 }
             }
-            PrintedSolver solver(p, body.tissue, {GrowthEntry::multiplied, form, gradient, 0.0, 0.0});
+            thesis::PrintedSolver solver(p, body.tissue, {thesis::GrowthEntry::multiplied, form, gradient, 0.0, 0.0});
             EXPECT_LT(largest_difference(forces_of(solver), expected), 1e-11 * test::largest_norm(expected));
         }
     }
@@ -136,7 +138,7 @@ TEST_F(PrintedForces, AgreeWithPlainLoops)
 
 TEST_F(PrintedForces, DeformationGradientAtRestIsOfNoUseNearTheSurface)
 {
-    PrintedSolver solver(body.particles, body.tissue, {});
+    thesis::PrintedSolver solver(body.particles, body.tissue, {});
     const std::vector<Mat3> F = solver.deformation_gradients(body.cloud.positions);
     const auto surface = static_cast<std::size_t>(body.cloud.surface_particles[0]);
     const auto deepest =
@@ -148,10 +150,10 @@ TEST_F(PrintedForces, DeformationGradientAtRestIsOfNoUseNearTheSurface)
 
 TEST_F(PrintedForces, FromDifferencesOfStressDoNotConserveMomentum)
 {
-    const auto total = [&](ForceForm form)
+    const auto total = [&](thesis::ForceForm form)
     {
-        PrintedSolver solver(body.particles, body.tissue,
-                             {GrowthEntry::divided, form, KernelGradient::plain, 0.0, 0.0});
+        thesis::PrintedSolver solver(body.particles, body.tissue,
+                                     {thesis::GrowthEntry::divided, form, thesis::KernelGradient::plain, 0.0, 0.0});
         Vec3 sum;
         for (const Vec3& force : forces_of(solver))
         {
@@ -159,17 +161,17 @@ TEST_F(PrintedForces, FromDifferencesOfStressDoNotConserveMomentum)
         }
         return norm(sum) / test::largest_norm(forces_of(solver));
     };
-    EXPECT_GT(total(ForceForm::difference), 0.1);
-    EXPECT_LT(total(ForceForm::conservative), 1e-10);
+    EXPECT_GT(total(thesis::ForceForm::difference), 0.1);
+    EXPECT_LT(total(thesis::ForceForm::conservative), 1e-10);
 }
 
 TEST_F(PrintedForces, GrowthPowerIsTheDerivativeOfTheEnergyInTime)
 {
-    PrintedSolver solver(body.particles, body.tissue, {});
+    thesis::PrintedSolver solver(body.particles, body.tissue, {});
     std::vector<Vec3> scratch(x.size());
     const auto energy = [&](double t)
     {
-        const InternalResponse at = solver.evaluate(x, t, scratch);
+        const mechanics::InternalResponse at = solver.evaluate(x, t, scratch);
         return at.elastic_energy + at.zero_mode_energy;
     };
     const double h = 1e-5;
@@ -179,15 +181,15 @@ TEST_F(PrintedForces, GrowthPowerIsTheDerivativeOfTheEnergyInTime)
 
 TEST_F(PrintedForces, ViscosityIsThatOfEquationSeven)
 {
-    const ThesisOptions options;
-    PrintedSolver solver(body.particles, body.tissue, options);
+    const thesis::ThesisOptions options;
+    thesis::PrintedSolver solver(body.particles, body.tissue, options);
     std::vector<Vec3> forces(x.size());
     const double power = solver.add_viscous_forces(x, v, forces);
-    const Particles& p = body.particles;
-    const double h = support_mm(p.options, p.spacing);
+    const tlsph::Particles& p = body.particles;
+    const double h = tlsph::support_mm(p.options, p.spacing);
     const auto speed = [&](std::size_t i)
     {
-        const MaterialPoint point = body.tissue.point(i, 0.0);
+        const material::MaterialPoint point = body.tissue.point(i, 0.0);
         return std::sqrt(point.bulk_modulus + 4.0 / 3.0 * point.shear_modulus);
     };
     std::vector<Vec3> expected(x.size());
@@ -215,7 +217,7 @@ TEST_F(PrintedForces, ViscosityIsThatOfEquationSeven)
 
 TEST_F(PrintedForces, AreTheSameBitsWithOneThreadAndTwo)
 {
-    PrintedSolver solver(body.particles, body.tissue, {});
+    thesis::PrintedSolver solver(body.particles, body.tissue, {});
     const int threads = thread_count();
     std::vector<std::vector<Vec3>> results;
     for (const int count : {1, 2})
@@ -230,16 +232,16 @@ TEST_F(PrintedForces, AreTheSameBitsWithOneThreadAndTwo)
 
 TEST(NeighborGroups, HoldEveryPairOnceAndZerosElsewhere)
 {
-    const Particles& p = test::small_sphere().particles;
-    const NeighborGroups groups = group_neighbors(p.pairs);
+    const tlsph::Particles& p = test::small_sphere().particles;
+    const thesis::NeighborGroups groups = thesis::group_neighbors(p.pairs);
     std::int64_t found = 0;
     for (std::int64_t i = 0; i < std::ssize(p.X); ++i)
     {
-        const std::int64_t group = i / NeighborGroups::size;
+        const std::int64_t group = i / thesis::NeighborGroups::size;
         std::int64_t entry = p.pairs.begin[i];
         for (std::int64_t k = groups.begin[group]; k < groups.begin[group + 1]; ++k)
         {
-            const float weight = groups.weight[NeighborGroups::size * k + i % NeighborGroups::size];
+            const float weight = groups.weight[thesis::NeighborGroups::size * k + i % thesis::NeighborGroups::size];
             if (entry < p.pairs.begin[i + 1] && p.pairs.neighbor(i, entry) == groups.index[k])
             {
                 EXPECT_EQ(weight, p.pairs.weight[entry++]);

@@ -16,10 +16,10 @@ namespace corticle
 namespace
 {
 
-Options printed_case(std::vector<std::string> overrides = {})
+config::Options printed_case(std::vector<std::string> overrides = {})
 {
     overrides.insert(overrides.begin(), {"geometry.particles=1500", "solver.time_step=1e-4"});
-    return parse_case("[solver]\nformulation = \"thesis\"\n", "case.toml", overrides, "");
+    return config::parse_case("[solver]\nformulation = \"thesis\"\n", "case.toml", overrides, "");
 }
 
 using test::expect_same_bits;
@@ -27,17 +27,17 @@ using test::take_steps;
 
 TEST(ThesisFormulation, GoesOnFromACheckpointToTheSameBitsOnAnyThreads)
 {
-    const Options options = printed_case();
-    Model body = prepare_body(options).model;
+    const config::Options options = printed_case();
+    model::Model body = prepare::prepare_body(options).model;
     const int threads = thread_count();
     set_thread_count(2);
-    Simulation whole(test::shared(body), options);
+    model::Simulation whole(test::shared(body), options);
     take_steps(whole, 10);
-    const Checkpoint checkpoint = to_checkpoint(whole.state(), {}, "case");
+    const record::Checkpoint checkpoint = record::to_checkpoint(whole.state(), {}, "case");
     take_steps(whole, 10);
     set_thread_count(1);
-    Simulation resumed(test::shared(body), options);
-    resumed.restore(from_checkpoint(checkpoint, body.cloud.positions.size(), "checkpoint.h5").state);
+    model::Simulation resumed(test::shared(body), options);
+    resumed.restore(record::from_checkpoint(checkpoint, body.cloud.positions.size(), "checkpoint.h5").state);
     take_steps(resumed, 10);
     set_thread_count(threads);
     expect_same_bits(whole, resumed);
@@ -49,9 +49,9 @@ TEST(ThesisFormulation, GoesOnFromACheckpointToTheSameBitsOnAnyThreads)
 /// the surface, to where it is lower.
 TEST(ThesisFormulation, AsPrintedTheBodyCollapsesBeforeItGrows)
 {
-    const Options options = printed_case({"tissue.alpha_t=0.0"});
-    Model body = prepare_body(options).model;
-    Simulation simulation(test::shared(body), options);
+    const config::Options options = printed_case({"tissue.alpha_t=0.0"});
+    model::Model body = prepare::prepare_body(options).model;
+    model::Simulation simulation(test::shared(body), options);
     EXPECT_LT(simulation.internal().smallest_J, 0.5);
     EXPECT_GT(simulation.internal().elastic_energy, 1000.0);
     const auto i = static_cast<std::size_t>(body.cloud.surface_particles[0]);
@@ -69,9 +69,9 @@ TEST(ThesisFormulation, AsPrintedTheBodyCollapsesBeforeItGrows)
 
 TEST(ThesisFormulation, WithTheGradientCorrectedItRests)
 {
-    const Options options = printed_case({"tissue.alpha_t=0.0", "thesis.gradient=corrected"});
-    Model body = prepare_body(options).model;
-    Simulation simulation(test::shared(body), options);
+    const config::Options options = printed_case({"tissue.alpha_t=0.0", "thesis.gradient=corrected"});
+    model::Model body = prepare::prepare_body(options).model;
+    model::Simulation simulation(test::shared(body), options);
     take_steps(simulation, 20);
     for (std::size_t i = 0; i < body.cloud.positions.size(); ++i)
     {

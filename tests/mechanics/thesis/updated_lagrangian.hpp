@@ -84,7 +84,7 @@ inline Mat3 pair_stress(const Material& material, const State& state, std::size_
 /// Rates of change; every particle has mass `mass`.
 inline Rates rates(const Material& material, const State& state, double mass)
 {
-    const Neighbors pairs = find_pairs_within(state.x, material.support);
+    const Neighbors pairs = cloud::find_pairs_within(state.x, material.support);
     const std::size_t count = state.x.size();
     Rates out{std::vector<Vec3>(count), std::vector<double>(count), std::vector<Mat3>(count)};
     parallel_for(std::ssize(state.x),

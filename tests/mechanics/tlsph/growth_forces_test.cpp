@@ -15,8 +15,8 @@ struct GrowthChoice
 {
     const char* name;
     double alpha_t, alpha_r, alpha_white;
-    GrowthLaw law;
-    NormalFrame normal;
+    material::GrowthLaw law;
+    material::NormalFrame normal;
     double start;
 };
 
@@ -46,17 +46,17 @@ class TlsphGrowth : public testing::TestWithParam<GrowthChoice>
     /// Growth normals as they are at x from now on, so that G no longer moves with x.
     void fix_normals()
     {
-        const std::vector<Mat3> F = TlsphSolver(body.particles, body.tissue).deformation_gradients(x);
+        const std::vector<Mat3> F = tlsph::TlsphSolver(body.particles, body.tissue).deformation_gradients(x);
         for (std::size_t i = 0; i < x.size(); ++i)
         {
             body.tissue.normal[i] = body.tissue.growth_normal(i, F[i]);
         }
-        body.tissue.options.normal = NormalFrame::reference;
+        body.tissue.options.normal = material::NormalFrame::reference;
     }
 
-    double energy(TlsphSolver& solver, double at)
+    double energy(tlsph::TlsphSolver& solver, double at)
     {
-        const InternalResponse response = solver.evaluate(x, at, scratch);
+        const mechanics::InternalResponse response = solver.evaluate(x, at, scratch);
         return response.elastic_energy + response.zero_mode_energy;
     }
 
@@ -70,11 +70,11 @@ TEST_P(TlsphGrowth, ForcesAreMinusTheGradientOfTheEnergyAtFixedGrowth)
 {
     std::vector<Vec3> forces(x.size());
     {
-        TlsphSolver moving(body.particles, body.tissue);
+        tlsph::TlsphSolver moving(body.particles, body.tissue);
         ASSERT_EQ(moving.evaluate(x, t, forces).invalid_at, -1);
     }
     fix_normals();
-    TlsphSolver solver(body.particles, body.tissue);
+    tlsph::TlsphSolver solver(body.particles, body.tissue);
     const double scale = test::largest_norm(forces);
     const auto count = x.size();
     for (const std::size_t i : {std::size_t{0}, count / 3, count / 2, count - 1})
@@ -95,7 +95,7 @@ TEST_P(TlsphGrowth, ForcesAreMinusTheGradientOfTheEnergyAtFixedGrowth)
 
 TEST_P(TlsphGrowth, PowerIsTheDerivativeOfTheEnergyInTime)
 {
-    TlsphSolver solver(body.particles, body.tissue);
+    tlsph::TlsphSolver solver(body.particles, body.tissue);
     const double power = solver.evaluate(x, t, scratch).growth_power;
     const double h = 1e-5;
     EXPECT_NEAR((energy(solver, t + h) - energy(solver, t - h)) / (2.0 * h) / power, 1.0, 1e-6);
@@ -103,7 +103,7 @@ TEST_P(TlsphGrowth, PowerIsTheDerivativeOfTheEnergyInTime)
 
 TEST_P(TlsphGrowth, RotationTurnsForcesAndChangesNoEnergy)
 {
-    TlsphSolver solver(body.particles, body.tissue);
+    tlsph::TlsphSolver solver(body.particles, body.tissue);
     std::vector<Vec3> forces(x.size());
     std::vector<Vec3> turned(x.size());
     const double before = solver.evaluate(x, t, forces).elastic_energy;
@@ -118,11 +118,12 @@ TEST_P(TlsphGrowth, RotationTurnsForcesAndChangesNoEnergy)
 
 INSTANTIATE_TEST_SUITE_P(
     Laws, TlsphGrowth,
-    testing::Values(GrowthChoice{"Regional", 1.8, 0.0, 0.0, GrowthLaw::linear, NormalFrame::reference, 0.0},
-                    GrowthChoice{"Isotropic", 1.0, 1.0, 0.0, GrowthLaw::linear, NormalFrame::reference, 0.0},
-                    GrowthChoice{"Radial", 0.2, 1.4, 0.1, GrowthLaw::gompertz, NormalFrame::reference, 0.0},
-                    GrowthChoice{"Late", 1.8, 0.3, 0.2, GrowthLaw::linear, NormalFrame::reference, 0.25},
-                    GrowthChoice{"Current", 1.8, 0.3, 0.0, GrowthLaw::gompertz, NormalFrame::current, 0.1}),
+    testing::Values(
+        GrowthChoice{"Regional", 1.8, 0.0, 0.0, material::GrowthLaw::linear, material::NormalFrame::reference, 0.0},
+        GrowthChoice{"Isotropic", 1.0, 1.0, 0.0, material::GrowthLaw::linear, material::NormalFrame::reference, 0.0},
+        GrowthChoice{"Radial", 0.2, 1.4, 0.1, material::GrowthLaw::gompertz, material::NormalFrame::reference, 0.0},
+        GrowthChoice{"Late", 1.8, 0.3, 0.2, material::GrowthLaw::linear, material::NormalFrame::reference, 0.25},
+        GrowthChoice{"Current", 1.8, 0.3, 0.0, material::GrowthLaw::gompertz, material::NormalFrame::current, 0.1}),
     [](const auto& tested) { return tested.param.name; });
 
 TEST(TlsphGrowthExactness, IsotropicGrowthOfTheWholeBodyIsFreeOfForceAndStress)
@@ -131,11 +132,11 @@ TEST(TlsphGrowthExactness, IsotropicGrowthOfTheWholeBodyIsFreeOfForceAndStress)
     body.tissue.options.alpha_t = body.tissue.options.alpha_r = body.tissue.options.alpha_white = 0.9;
     const double t = 0.5;
     const double g = 1.45;
-    TlsphSolver solver(body.particles, body.tissue);
+    tlsph::TlsphSolver solver(body.particles, body.tissue);
     std::vector<Vec3> forces(body.cloud.positions.size());
     const auto largest_force = [&](double stretch)
     {
-        const InternalResponse response =
+        const mechanics::InternalResponse response =
             solver.evaluate(test::affine(body.cloud.positions, stretch * Mat3::identity()), t, forces);
         EXPECT_NEAR(response.smallest_J, stretch * stretch * stretch, 1e-11);
         return test::largest_norm(forces);
@@ -151,12 +152,12 @@ TEST(TlsphGrowthExactness, PowerIncludesWhatAMovingLayerDoes)
     tissue.options.thickness_rate_mm = 0.3;
     tissue.options.mu_cortex = 0.6;
     tissue.options.alpha_r = 0.2;
-    tissue.size = {GestationalClock::wang, LengthLaw::quadratic, 23.0};
+    tissue.size = {material::GestationalClock::wang, material::LengthLaw::quadratic, 23.0};
     tissue.set_layer(0.2);
     tissue.start_growth(0.2);
     std::vector<Vec3> forces(body.cloud.positions.size());
     const std::vector<Vec3> x = test::perturbed(body.cloud.positions, 0.05 * body.cloud.spacing);
-    TlsphSolver solver(body.particles, tissue);
+    tlsph::TlsphSolver solver(body.particles, tissue);
     const auto response = [&](double t)
     {
         tissue.set_layer(t);
@@ -182,11 +183,11 @@ TEST(TlsphGrowthExactness, TheGeneralLawWithPlainNumbersIsThePlainOne)
     std::vector<Vec3> plain(body.cloud.positions.size());
     std::vector<Vec3> general(plain.size());
     const std::vector<Vec3> x = test::perturbed(body.cloud.positions, 0.05 * body.cloud.spacing);
-    TlsphSolver solver(body.particles, body.tissue);
-    const InternalResponse a = solver.evaluate(x, 0.4, plain);
+    tlsph::TlsphSolver solver(body.particles, body.tissue);
+    const mechanics::InternalResponse a = solver.evaluate(x, 0.4, plain);
     body.tissue.growth_onset.assign(plain.size(), 0.0);
     ASSERT_FALSE(body.tissue.grows_plainly());
-    const InternalResponse b = solver.evaluate(x, 0.4, general);
+    const mechanics::InternalResponse b = solver.evaluate(x, 0.4, general);
     EXPECT_NEAR(b.elastic_energy / a.elastic_energy, 1.0, 1e-13);
     EXPECT_NEAR(b.zero_mode_energy / a.zero_mode_energy, 1.0, 1e-13);
     EXPECT_NEAR(b.growth_power / a.growth_power, 1.0, 1e-13);

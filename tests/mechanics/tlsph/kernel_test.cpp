@@ -48,7 +48,7 @@ TEST(Kernel, SecondMomentOfThePairWeightIsTheIdentity)
     for (const double support : {0.7, 2.5})
     {
         // Each diagonal entry of the integral of omega X X^T is a third of the integral of omega r².
-        const double trace = ball_integral(support, [&](double r) { return r * r * pair_weight(r, support); });
+        const double trace = ball_integral(support, [&](double r) { return r * r * tlsph::pair_weight(r, support); });
         EXPECT_NEAR(trace / 3.0, 1.0, 1e-7);
     }
 }
@@ -62,16 +62,16 @@ TEST(Kernel, PairWeightIsTheSlopeOverTheDistance)
         const double r = 0.1 * k;
         const double slope = (wendland_c2(r + h, support) - wendland_c2(r - h, support)) / (2.0 * h);
         // h² times a third derivative of order one, and round-off over h.
-        EXPECT_NEAR(pair_weight(r, support), -slope / r, 1e-9) << r;
+        EXPECT_NEAR(tlsph::pair_weight(r, support), -slope / r, 1e-9) << r;
     }
 }
 
 TEST(Kernel, VanishesAtTheSupport)
 {
     EXPECT_EQ(wendland_c2(2.5, 2.5), 0.0);
-    EXPECT_EQ(pair_weight(2.5, 2.5), 0.0);
-    EXPECT_EQ(pair_weight(3.0, 2.5), 0.0);
-    EXPECT_GT(pair_weight(2.4999, 2.5), 0.0);
+    EXPECT_EQ(tlsph::pair_weight(2.5, 2.5), 0.0);
+    EXPECT_EQ(tlsph::pair_weight(3.0, 2.5), 0.0);
+    EXPECT_GT(tlsph::pair_weight(2.4999, 2.5), 0.0);
 }
 
 } // namespace

@@ -19,18 +19,18 @@ constexpr double growth_time = 0.3;
 class OtherMaterial : public testing::Test
 {
   protected:
-    OtherMaterial() : solver(body.particles, body.tissue, deformation_pass(test::MooneyRivlin{0.4, 0.3})) {}
+    OtherMaterial() : solver(body.particles, body.tissue, tlsph::deformation_pass(test::MooneyRivlin{0.4, 0.3})) {}
 
     double energy_at(std::span<const Vec3> positions)
     {
         std::vector<Vec3> forces(positions.size());
-        const InternalResponse response = solver.evaluate(positions, growth_time, forces);
+        const mechanics::InternalResponse response = solver.evaluate(positions, growth_time, forces);
         EXPECT_EQ(response.invalid_at, -1);
         return response.elastic_energy + response.zero_mode_energy;
     }
 
     test::Body body = test::small_sphere();
-    TlsphSolver solver;
+    tlsph::TlsphSolver solver;
     std::vector<Vec3> x = test::perturbed(body.cloud.positions, 0.1 * body.cloud.spacing);
 };
 
@@ -63,8 +63,9 @@ TEST_F(OtherMaterial, ForcesAreTheNegativeGradientOfTheEnergy)
 TEST_F(OtherMaterial, IsNotTheLawOfTheProgram)
 {
     std::vector<Vec3> forces(x.size());
-    const InternalResponse known = TlsphSolver(body.particles, body.tissue).evaluate(x, growth_time, forces);
-    const InternalResponse other = solver.evaluate(x, growth_time, forces);
+    const mechanics::InternalResponse known =
+        tlsph::TlsphSolver(body.particles, body.tissue).evaluate(x, growth_time, forces);
+    const mechanics::InternalResponse other = solver.evaluate(x, growth_time, forces);
     EXPECT_GT(std::abs(other.elastic_energy / known.elastic_energy - 1.0), 1e-4);
     // The same formulas compiled beside another law: the compiler contracts them differently.
     EXPECT_NEAR(other.smallest_J / known.smallest_J, 1.0, 1e-12);
@@ -75,7 +76,7 @@ TEST_F(OtherMaterial, MovesAndKeepsItsEnergy)
 {
     std::vector<Vec3> forces(x.size());
     std::vector<Vec3> v(x.size());
-    InternalResponse response = solver.evaluate(x, growth_time, forces);
+    mechanics::InternalResponse response = solver.evaluate(x, growth_time, forces);
     const double start = response.elastic_energy + response.zero_mode_energy;
     const double dt = 0.1 * body.cloud.spacing / response.stiffest_rate;
     double kinetic = 0.0;

@@ -12,10 +12,10 @@ namespace corticle::test
 {
 
 /// Options of the thesis's sphere (radius 12.496 mm) with this many particles.
-inline Options sphere_options(std::int64_t particles)
+inline config::Options sphere_options(std::int64_t particles)
 {
-    Options options;
-    options.geometry.shape = Shape::sphere;
+    config::Options options;
+    options.geometry.shape = prepare::Shape::sphere;
     options.geometry.radius_mm = 12.496;
     options.geometry.particles = particles;
     options.imperfection.amplitude = 0.0; // what is exact is to be so
@@ -26,23 +26,24 @@ inline Options sphere_options(std::int64_t particles)
 struct Body
 {
     Body() = default;
-    Body(const Model& model, const SimulationOptions& options)
-        : cloud(model.cloud), surface(model.surface), tissue(model.tissue, options.tissue, cortex_size(options)),
+    Body(const model::Model& model, const model::SimulationOptions& options)
+        : cloud(model.cloud), surface(model.surface), tissue(model.tissue, options.tissue, model::cortex_size(options)),
           particles(model.particles)
     {
-        static_cast<TissueState&>(tissue) = start_tissue(model.tissue, options.tissue, tissue.size, options.time.start);
+        static_cast<material::TissueState&>(tissue) =
+            material::start_tissue(model.tissue, options.tissue, tissue.size, options.time.start);
     }
 
     Cloud cloud;
     TriangleMesh surface;
     OwnTissue tissue;
-    Particles particles;
+    tlsph::Particles particles;
 };
 
 /// A sphere of about 2,500 particles, irregular, prepared once for all tests.
-inline std::shared_ptr<const Model> small_model()
+inline std::shared_ptr<const model::Model> small_model()
 {
-    static const auto model = std::make_shared<const Model>(prepare_body(sphere_options(2500)).model);
+    static const auto model = std::make_shared<const model::Model>(prepare::prepare_body(sphere_options(2500)).model);
     return model;
 }
 
@@ -53,9 +54,9 @@ inline Body small_sphere()
 }
 
 /// A copy for simulations to share.
-inline std::shared_ptr<const Model> shared(const Model& model)
+inline std::shared_ptr<const model::Model> shared(const model::Model& model)
 {
-    return std::make_shared<const Model>(model);
+    return std::make_shared<const model::Model>(model);
 }
 
 /// A vector with components in [-1, 1) for a counter.

@@ -34,9 +34,9 @@ double force_scale(const test::Body& body)
 TEST(TlsphExactness, RestIsFreeOfStrainAndForce)
 {
     const test::Body& body = small_sphere();
-    TlsphSolver solver(body.particles, body.tissue);
+    tlsph::TlsphSolver solver(body.particles, body.tissue);
     std::vector<Vec3> forces(body.cloud.positions.size());
-    const InternalResponse response = solver.evaluate(body.cloud.positions, 0.0, forces);
+    const mechanics::InternalResponse response = solver.evaluate(body.cloud.positions, 0.0, forces);
     EXPECT_EQ(response.invalid_at, -1);
     EXPECT_EQ(response.barrier_count, 0);
     EXPECT_NEAR(response.smallest_J, 1.0, 1e-12);
@@ -50,14 +50,14 @@ TEST(TlsphExactness, RestIsFreeOfStrainAndForce)
 TEST(TlsphExactness, AffineMotionIsReproducedEverywhere)
 {
     const test::Body& body = small_sphere();
-    TlsphSolver solver(body.particles, body.tissue);
+    tlsph::TlsphSolver solver(body.particles, body.tissue);
     const std::vector<Vec3> x = affine(body.cloud.positions, stretch, {3.0, -7.0, 2.0});
     for (const Mat3& F : solver.deformation_gradients(x))
     {
         EXPECT_LT(test::largest_difference(F, stretch), 1e-12);
     }
     std::vector<Vec3> forces(x.size());
-    const InternalResponse response = solver.evaluate(x, 0.0, forces);
+    const mechanics::InternalResponse response = solver.evaluate(x, 0.0, forces);
     EXPECT_NEAR(response.smallest_J, determinant(stretch), 1e-12);
     // An affine motion has no zero-energy part: what remains is the round-off of sums as large as the elastic energy.
     EXPECT_LT(std::abs(response.zero_mode_energy), 1e-12 * response.elastic_energy);
@@ -66,11 +66,11 @@ TEST(TlsphExactness, AffineMotionIsReproducedEverywhere)
 TEST(TlsphExactness, RigidRotationCostsNothing)
 {
     const test::Body& body = small_sphere();
-    TlsphSolver solver(body.particles, body.tissue);
+    tlsph::TlsphSolver solver(body.particles, body.tissue);
     const Mat3 Q = test::rotation(Vec3{2, -1, 2} / 3.0, 2.3);
     const std::vector<Vec3> x = affine(body.cloud.positions, Q, {1.0, 2.0, 3.0});
     std::vector<Vec3> forces(x.size());
-    const InternalResponse response = solver.evaluate(x, 0.0, forces);
+    const mechanics::InternalResponse response = solver.evaluate(x, 0.0, forces);
     const double volume = std::accumulate(body.cloud.volumes.begin(), body.cloud.volumes.end(), 0.0);
     EXPECT_LT(std::abs(response.elastic_energy), 1e-13 * volume);
     EXPECT_LT(std::abs(response.zero_mode_energy), 1e-13 * volume);
@@ -83,11 +83,11 @@ TEST(TlsphExactness, FreeIsotropicGrowthIsFreeOfForceAndStress)
     std::fill(body.tissue.normal.begin(), body.tissue.normal.end(), Vec3{}); // G = g I
     std::fill(body.tissue.theta.begin(), body.tissue.theta.end(), 1.0);
     const double t = 0.4;
-    const double g = material_point(body.tissue.options, 1.0, 1.0, t).growth;
-    TlsphSolver solver(body.particles, body.tissue);
+    const double g = material::material_point(body.tissue.options, 1.0, 1.0, t).growth;
+    tlsph::TlsphSolver solver(body.particles, body.tissue);
     const std::vector<Vec3> x = affine(body.cloud.positions, g * Mat3::identity());
     std::vector<Vec3> forces(x.size());
-    const InternalResponse response = solver.evaluate(x, t, forces);
+    const mechanics::InternalResponse response = solver.evaluate(x, t, forces);
     EXPECT_LT(largest_norm(forces), 1e-11 * force_scale(body)); // moduli grow with g², to 3 here
     EXPECT_LT(std::abs(response.elastic_energy), 1e-12 * 8173.0);
     EXPECT_NEAR(response.smallest_J, g * g * g, 1e-11);
@@ -103,7 +103,7 @@ TEST(TlsphExactness, FreeIsotropicGrowthIsFreeOfForceAndStress)
 TEST(TlsphExactness, BothMomentaAreConserved)
 {
     const test::Body& body = small_sphere();
-    TlsphSolver solver(body.particles, body.tissue);
+    tlsph::TlsphSolver solver(body.particles, body.tissue);
     const std::vector<Vec3> x =
         perturbed(affine(body.cloud.positions, stretch, {5.0, 0.0, -3.0}), 0.1 * body.cloud.spacing);
     std::vector<Vec3> forces(x.size());
@@ -114,15 +114,15 @@ TEST(TlsphExactness, BothMomentaAreConserved)
 TEST(TlsphExactness, OneAndTwoThreadsGiveTheSameBits)
 {
     const test::Body& body = small_sphere();
-    TlsphSolver solver(body.particles, body.tissue);
+    tlsph::TlsphSolver solver(body.particles, body.tissue);
     const std::vector<Vec3> x = perturbed(body.cloud.positions, 0.1 * body.cloud.spacing);
     const int threads = thread_count();
     std::vector<Vec3> one(x.size());
     std::vector<Vec3> two(x.size());
     set_thread_count(1);
-    const InternalResponse by_one = solver.evaluate(x, 0.3, one);
+    const mechanics::InternalResponse by_one = solver.evaluate(x, 0.3, one);
     set_thread_count(2);
-    const InternalResponse by_two = solver.evaluate(x, 0.3, two);
+    const mechanics::InternalResponse by_two = solver.evaluate(x, 0.3, two);
     set_thread_count(threads);
     EXPECT_EQ(one, two);
     EXPECT_EQ(by_one.elastic_energy, by_two.elastic_energy);
@@ -136,11 +136,11 @@ TEST(TlsphExactness, StiffestRateIsTheWaveSpeedOverTheSmallestStretch)
 {
     test::Body body = small_sphere();
     std::fill(body.tissue.theta.begin(), body.tissue.theta.end(), 0.0); // white matter everywhere, no growth
-    TlsphSolver solver(body.particles, body.tissue);
+    tlsph::TlsphSolver solver(body.particles, body.tissue);
     std::vector<Vec3> forces(body.cloud.positions.size());
     const auto rate = [&](const Mat3& A)
     { return solver.evaluate(affine(body.cloud.positions, A), 0.0, forces).stiffest_rate; };
-    const double c_p = wave_speed(body.tissue.options);
+    const double c_p = material::wave_speed(body.tissue.options);
     // The bound is exact for uniaxial and for isotropic compression; the root of a cancelled variance costs half the
     // digits for the isotropic one.
     EXPECT_NEAR(rate(Mat3::diagonal(0.5, 1.0, 1.0)), c_p / 0.5, 1e-6);
@@ -151,7 +151,7 @@ TEST(TlsphExactness, StiffestRateIsTheWaveSpeedOverTheSmallestStretch)
 TEST(TlsphExactness, AnInvertedParticleIsReported)
 {
     const test::Body& body = small_sphere();
-    TlsphSolver solver(body.particles, body.tissue);
+    tlsph::TlsphSolver solver(body.particles, body.tissue);
     std::vector<Vec3> forces(body.cloud.positions.size());
     EXPECT_EQ(solver.evaluate(affine(body.cloud.positions, Mat3::diagonal(-1, 1, 1)), 0.0, forces).invalid_at, 0);
     std::vector<Vec3> x = body.cloud.positions;
@@ -171,7 +171,7 @@ TEST(Particles, APlaneIsRefusedByNameOfItsWorstParticle)
     }
     try
     {
-        make_particles(cloud, find_pairs_within(cloud.positions, 2.5), {});
+        tlsph::make_particles(cloud, cloud::find_pairs_within(cloud.positions, 2.5), {});
         FAIL() << "accepted";
     }
     catch (const InputError& error)
@@ -183,11 +183,11 @@ TEST(Particles, APlaneIsRefusedByNameOfItsWorstParticle)
 
 TEST(Particles, ConditionNumber)
 {
-    EXPECT_NEAR(condition_number(Mat3::diagonal(2.0, 8.0, 4.0)), 4.0, 1e-13);
-    EXPECT_NEAR(condition_number(3.0 * Mat3::identity()), 1.0, 1e-15);
+    EXPECT_NEAR(tlsph::condition_number(Mat3::diagonal(2.0, 8.0, 4.0)), 4.0, 1e-13);
+    EXPECT_NEAR(tlsph::condition_number(3.0 * Mat3::identity()), 1.0, 1e-15);
     const Mat3 Q = test::rotation(Vec3{2, -1, 2} / 3.0, 0.7);
-    EXPECT_NEAR(condition_number(Q * Mat3::diagonal(1.0, 50.0, 7.0) * transpose(Q)), 50.0, 1e-10);
-    EXPECT_GT(condition_number(Mat3::diagonal(1.0, 1.0, -0.1)), 1e300);
+    EXPECT_NEAR(tlsph::condition_number(Q * Mat3::diagonal(1.0, 50.0, 7.0) * transpose(Q)), 50.0, 1e-10);
+    EXPECT_GT(tlsph::condition_number(Mat3::diagonal(1.0, 1.0, -0.1)), 1e300);
 }
 
 } // namespace

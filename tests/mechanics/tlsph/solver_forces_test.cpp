@@ -15,7 +15,7 @@ namespace
 /// One choice of tissue and deformation; the cloud is always the irregular sphere, with growth and a perturbation.
 struct Situation
 {
-    BulkRule bulk;
+    material::BulkRule bulk;
     double compression; ///< all positions are scaled by it; 0.6 makes the barrier act
     double t;
 };
@@ -34,9 +34,9 @@ class TlsphForces : public testing::TestWithParam<Situation>
         x = test::perturbed(test::affine(body.cloud.positions, A), 0.05 * body.cloud.spacing);
     }
 
-    double energy(TlsphSolver& solver, double t)
+    double energy(tlsph::TlsphSolver& solver, double t)
     {
-        const InternalResponse response = solver.evaluate(x, t, scratch);
+        const mechanics::InternalResponse response = solver.evaluate(x, t, scratch);
         return response.elastic_energy + response.zero_mode_energy;
     }
 
@@ -47,9 +47,9 @@ class TlsphForces : public testing::TestWithParam<Situation>
 
 TEST_P(TlsphForces, AreMinusTheGradientOfTheEnergy)
 {
-    TlsphSolver solver(body.particles, body.tissue);
+    tlsph::TlsphSolver solver(body.particles, body.tissue);
     std::vector<Vec3> forces(x.size());
-    const InternalResponse response = solver.evaluate(x, GetParam().t, forces);
+    const mechanics::InternalResponse response = solver.evaluate(x, GetParam().t, forces);
     ASSERT_EQ(response.invalid_at, -1);
     EXPECT_EQ(response.barrier_count > 0, GetParam().compression < 0.7);
     const double scale = test::largest_norm(forces);
@@ -76,7 +76,7 @@ TEST_P(TlsphForces, AreMinusTheGradientOfTheEnergy)
 
 TEST_P(TlsphForces, GrowthPowerIsTheDerivativeOfTheEnergyInTime)
 {
-    TlsphSolver solver(body.particles, body.tissue);
+    tlsph::TlsphSolver solver(body.particles, body.tissue);
     const double power = solver.evaluate(x, GetParam().t, scratch).growth_power;
     const double h = 1e-5;
     const double slope = (energy(solver, GetParam().t + h) - energy(solver, GetParam().t - h)) / (2.0 * h);
@@ -86,10 +86,10 @@ TEST_P(TlsphForces, GrowthPowerIsTheDerivativeOfTheEnergyInTime)
 
 TEST_P(TlsphForces, AgreeWithPlainLoops)
 {
-    TlsphSolver solver(body.particles, body.tissue);
+    tlsph::TlsphSolver solver(body.particles, body.tissue);
     std::vector<Vec3> forces(x.size());
-    const InternalResponse response = solver.evaluate(x, GetParam().t, forces);
-    const Particles& p = body.particles;
+    const mechanics::InternalResponse response = solver.evaluate(x, GetParam().t, forces);
+    const tlsph::Particles& p = body.particles;
     std::vector<Mat3> M(x.size());
     std::vector<double> zeta(x.size());
     double elastic_energy = 0.0;
@@ -108,12 +108,13 @@ TEST_P(TlsphForces, AgreeWithPlainLoops)
         const Mat3 L = inverse(shape);
         const Mat3 F = moment * L;
         const auto& tissue = body.tissue;
-        const MaterialPoint point =
-            material_point(tissue.options, tissue.theta[i], tissue.regional_rate[i], GetParam().t);
+        const material::MaterialPoint point =
+            material::material_point(tissue.options, tissue.theta[i], tissue.regional_rate[i], GetParam().t);
         const double g = point.growth;
         const Mat3 G = g * Mat3::identity() + (1.0 - g) * outer(tissue.normal[i], tissue.normal[i]);
-        const NeoHookean law{tissue.options.barrier_J};
-        const ElasticResponse elastic = elastic_response(law, point.shear_modulus, point.bulk_modulus, F * inverse(G));
+        const material::NeoHookean law{tissue.options.barrier_J};
+        const material::ElasticResponse elastic =
+            material::elastic_response(law, point.shear_modulus, point.bulk_modulus, F * inverse(G));
         const Mat3 P = determinant(G) * (elastic.stress * transpose(inverse(G)));
         zeta[i] = p.options.zeta * point.shear_modulus * g * g;
         M[i] = p.volume[i] * (P * L) - zeta[i] * F;
@@ -144,13 +145,13 @@ TEST_P(TlsphForces, AgreeWithPlainLoops)
 }
 
 INSTANTIATE_TEST_SUITE_P(Tissues, TlsphForces,
-                         testing::Values(Situation{BulkRule::per_tissue, 1.0, 0.3},
-                                         Situation{BulkRule::uniform, 1.1, 0.25},
-                                         Situation{BulkRule::per_tissue, 0.6, 0.4}));
+                         testing::Values(Situation{material::BulkRule::per_tissue, 1.0, 0.3},
+                                         Situation{material::BulkRule::uniform, 1.1, 0.25},
+                                         Situation{material::BulkRule::per_tissue, 0.6, 0.4}));
 
 TEST(Particles, WeightsAreSymmetricAndThoseOfTheKernel)
 {
-    const Particles& p = test::small_sphere().particles;
+    const tlsph::Particles& p = test::small_sphere().particles;
     const double support = p.options.support * p.spacing;
     for (std::size_t i = 0; i < p.X.size(); ++i)
     {
@@ -166,7 +167,7 @@ TEST(Particles, WeightsAreSymmetricAndThoseOfTheKernel)
             }
             ASSERT_LT(back, p.pairs.begin[j + 1]);
             ASSERT_EQ(p.pairs.weight[k], p.pairs.weight[back]);
-            const double exact = p.volume[i] * p.volume[j] * pair_weight(norm(p.X[j] - p.X[i]), support);
+            const double exact = p.volume[i] * p.volume[j] * tlsph::pair_weight(norm(p.X[j] - p.X[i]), support);
             ASSERT_NEAR(w, exact, 1e-7 * exact); // half a unit in the last place of a float is 6e-8
         }
     }

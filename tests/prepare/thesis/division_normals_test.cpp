@@ -47,7 +47,7 @@ TEST(DivisionNormals, PiecesOfABallAreEqual)
         std::vector<double> held(divisions, 0.0);
         for (const Vec3& X : points)
         {
-            const std::int32_t piece = division_of(centre + X, divisions, centre);
+            const std::int32_t piece = prepare::division_of(centre + X, divisions, centre);
             ASSERT_GE(piece, 0);
             ASSERT_LT(piece, divisions);
             held[piece] += 1.0;
@@ -61,7 +61,7 @@ TEST(DivisionNormals, PiecesOfABallAreEqual)
     for (const Vec3& X : points) // eight are the octants
     {
         const int octant = (X.y < 0.0 ? (X.x < 0.0 ? 2 : 3) : (X.x < 0.0 ? 1 : 0)) * 2 + (X.z < 0.0 ? 1 : 0);
-        ASSERT_EQ(division_of(X, 8, {}), octant);
+        ASSERT_EQ(prepare::division_of(X, 8, {}), octant);
     }
 }
 
@@ -71,12 +71,12 @@ TEST(DivisionNormals, OnASphereAreWithinTheSizeOfATriangle)
     // so the error is about the angle to the nearest of them in the piece. Edges of about 1 on a radius of 10 are
     // circumradii of 3.3 degrees; beside a border of the piece, where the triangle across is not allowed, one triangle
     // more.
-    const TriangleMesh surface = make_ellipsoid({10.0, 10.0, 10.0}, 1.0);
-    const NormalLines lines = triangle_normal_lines(surface);
+    const TriangleMesh surface = geometry::make_ellipsoid({10.0, 10.0, 10.0}, 1.0);
+    const prepare::NormalLines lines = prepare::triangle_normal_lines(surface);
     const std::vector<Vec3> particles = ball_points(10.0, 4000);
     for (const std::int32_t divisions : {4, 8, 16})
     {
-        const std::vector<Vec3> normals = division_normals(particles, lines, divisions, {});
+        const std::vector<Vec3> normals = prepare::division_normals(particles, lines, divisions, {});
         double sum = 0.0;
         double largest = 0.0;
         for (std::size_t i = 0; i < particles.size(); ++i)
@@ -95,31 +95,32 @@ TEST(DivisionNormals, OnASphereAreWithinTheSizeOfATriangle)
 TEST(DivisionNormals, AreTheNearestLineOfTheOwnPieceOnly)
 {
     // The line along z passes through the particle, but belongs to the other half.
-    const NormalLines lines{{{1, 1, 5}, {1, 1, -5}}, {{0.6, 0, 0.8}, {0, 0, -1}}};
+    const prepare::NormalLines lines{{{1, 1, 5}, {1, 1, -5}}, {{0.6, 0, 0.8}, {0, 0, -1}}};
     const std::vector<Vec3> above{{1, 1, 2}};
-    EXPECT_EQ(division_normals(above, lines, 2, {})[0], (Vec3{0.6, 0, 0.8}));
+    EXPECT_EQ(prepare::division_normals(above, lines, 2, {})[0], (Vec3{0.6, 0, 0.8}));
     const std::vector<Vec3> below{{1, 1, -2}};
-    EXPECT_EQ(division_normals(below, lines, 2, {})[0], (Vec3{0, 0, -1}));
-    EXPECT_THROW(division_normals(std::vector<Vec3>{{2, 3, 2}}, lines, 4, {1, 2, 0}), InputError); // no line there
+    EXPECT_EQ(prepare::division_normals(below, lines, 2, {})[0], (Vec3{0, 0, -1}));
+    EXPECT_THROW(prepare::division_normals(std::vector<Vec3>{{2, 3, 2}}, lines, 4, {1, 2, 0}),
+                 InputError); // no line there
 }
 
 TEST(DivisionNormals, OffTheSphereTakeLinesOfFarParts)
 {
     // A slab, and a particle under its top: the line of its rim, 20 away, passes nearer than that of the top above.
-    const NormalLines lines{{{20, 0, 5}, {3, 0.3, 6}}, {{1, 0, 0}, {0, 0, 1}}};
+    const prepare::NormalLines lines{{{20, 0, 5}, {3, 0.3, 6}}, {{1, 0, 0}, {0, 0, 1}}};
     const std::vector<Vec3> particles{{3, 0.1, 5.05}, {3, 0.3, 5.5}};
-    const std::vector<Vec3> normals = division_normals(particles, lines, 8, {0, -1, 0});
+    const std::vector<Vec3> normals = prepare::division_normals(particles, lines, 8, {0, -1, 0});
     EXPECT_EQ(normals[0], (Vec3{1, 0, 0}));
     EXPECT_EQ(normals[1], (Vec3{0, 0, 1}));
 }
 
 TEST(DivisionNormals, RefuseNonsense)
 {
-    const NormalLines lines = triangle_normal_lines(make_ellipsoid({1.0, 1.0, 1.0}, 0.4));
+    const prepare::NormalLines lines = prepare::triangle_normal_lines(geometry::make_ellipsoid({1.0, 1.0, 1.0}, 0.4));
     const std::vector<Vec3> particles{{0.5, 0.1, 0.2}};
     for (const std::int32_t divisions : {-4, 0, 1, 7, 2000})
     {
-        EXPECT_THROW(division_normals(particles, lines, divisions, {}), InputError) << divisions;
+        EXPECT_THROW(prepare::division_normals(particles, lines, divisions, {}), InputError) << divisions;
     }
 }
 

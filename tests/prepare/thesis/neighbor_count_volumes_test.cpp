@@ -49,13 +49,13 @@ int lattice_neighbors(int below_x, int below_y, int below_z)
 
 TEST(NeighborCountVolumes, SumToTheVolumeOfTheBody)
 {
-    const std::vector<double> volumes = neighbor_count_volumes(lattice(), radius, 4096.0);
+    const std::vector<double> volumes = prepare::neighbor_count_volumes(lattice(), radius, 4096.0);
     EXPECT_NEAR(std::accumulate(volumes.begin(), volumes.end(), 0.0), 4096.0, 1e-9);
 }
 
 TEST(NeighborCountVolumes, AreEvenDeepInsideAndTooLargeAtTheSurface)
 {
-    const std::vector<double> volumes = neighbor_count_volumes(lattice(), radius, 4096.0);
+    const std::vector<double> volumes = prepare::neighbor_count_volumes(lattice(), radius, 4096.0);
     const double deep = volumes[at(8, 8, 8)];
     EXPECT_DOUBLE_EQ(volumes[at(4, 12, 9)], deep);
     EXPECT_LT(deep, 1.0); // what the surface takes too much lacks inside; the exact cell is 1
@@ -74,16 +74,16 @@ TEST(NeighborCountVolumes, RefuseAParticleWithoutNeighbours)
     const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {5, 0, 0}};
     try
     {
-        neighbor_count_volumes(points, 2.0, 1.0);
+        prepare::neighbor_count_volumes(points, 2.0, 1.0);
         FAIL() << "no error";
     }
     catch (const InputError& error)
     {
         EXPECT_NE(std::string(error.what()).find("particle 2 at (5, 0, 0)"), std::string::npos) << error.what();
     }
-    EXPECT_THROW(neighbor_count_volumes(points, 0.0, 1.0), InputError);
-    EXPECT_THROW(neighbor_count_volumes(points, 10.0, -1.0), InputError);
-    EXPECT_TRUE(neighbor_count_volumes({}, 1.0, 1.0).empty());
+    EXPECT_THROW(prepare::neighbor_count_volumes(points, 0.0, 1.0), InputError);
+    EXPECT_THROW(prepare::neighbor_count_volumes(points, 10.0, -1.0), InputError);
+    EXPECT_TRUE(prepare::neighbor_count_volumes({}, 1.0, 1.0).empty());
 }
 
 } // namespace

@@ -24,21 +24,21 @@ struct Particle
 {
     Real theta;
     BasicVec3<Real> normal;
-    ParticleReference<Real> reference;
-    DeformationSums<Real> sums;
-    ParticleResponse<Real> response;
+    tlsph::ParticleReference<Real> reference;
+    tlsph::DeformationSums<Real> sums;
+    tlsph::ParticleResponse<Real> response;
 };
 
 template <class Real>
-__global__ void respond_on_device(TissueOptions tissue, double t, Particle<Real>* particles)
+__global__ void respond_on_device(material::TissueOptions tissue, double t, Particle<Real>* particles)
 {
     Particle<Real>& particle = particles[0];
-    const auto point = material_point(tissue, particle.theta, broadcast<Real>(1.0), t);
-    const auto deformation = particle_deformation(particle.sums, particle.reference.correction);
-    particle.response = particle_response<false>(NeoHookean{tissue.barrier_J}, point, particle.normal,
+    const auto point = material::material_point(tissue, particle.theta, broadcast<Real>(1.0), t);
+    const auto deformation = tlsph::particle_deformation(particle.sums, particle.reference.correction);
+    particle.response = tlsph::particle_response<false>(material::NeoHookean{tissue.barrier_J}, point, particle.normal,
                                                  particle.reference, particle.sums, deformation);
 }
-template __global__ void respond_on_device(TissueOptions, double, Particle<double>*);
-template __global__ void respond_on_device(TissueOptions, double, Particle<float>*);
+template __global__ void respond_on_device(material::TissueOptions, double, Particle<double>*);
+template __global__ void respond_on_device(material::TissueOptions, double, Particle<float>*);
 
 } // namespace corticle

@@ -15,7 +15,7 @@ namespace corticle
 namespace
 {
 
-ProcessEnd wait_for(CommandProcess& process)
+ProcessEnd wait_for(sweep::CommandProcess& process)
 {
     std::optional<ProcessEnd> end;
     for (int i = 0; i < 3000 && !end; ++i)
@@ -30,7 +30,7 @@ ProcessEnd wait_for(CommandProcess& process)
 
 TEST(CommandProcess, TellsStatusAndOutput)
 {
-    CommandProcess process({"/bin/sh", "-c", "echo said; echo wrong >&2; exit 3"});
+    sweep::CommandProcess process({"/bin/sh", "-c", "echo said; echo wrong >&2; exit 3"});
     const ProcessEnd end = wait_for(process);
     EXPECT_EQ(end.status, 3);
     EXPECT_EQ(end.signal, 0);
@@ -39,9 +39,9 @@ TEST(CommandProcess, TellsStatusAndOutput)
 
 TEST(CommandProcess, TellsTheSignal)
 {
-    CommandProcess process({"/bin/sh", "-c", "kill -SEGV $$"});
+    sweep::CommandProcess process({"/bin/sh", "-c", "kill -SEGV $$"});
     EXPECT_EQ(wait_for(process).signal, SIGSEGV);
-    CommandProcess sleeping({"/bin/sleep", "60"});
+    sweep::CommandProcess sleeping({"/bin/sleep", "60"});
     EXPECT_FALSE(sleeping.poll());
     sleeping.terminate();
     EXPECT_EQ(wait_for(sleeping).signal, SIGTERM);
@@ -49,7 +49,7 @@ TEST(CommandProcess, TellsTheSignal)
 
 TEST(CommandProcess, KeepsTheEndOfALongOutput)
 {
-    CommandProcess process({"/bin/sh", "-c", "head -c 1000000 /dev/zero | tr '\\0' x; echo the end"});
+    sweep::CommandProcess process({"/bin/sh", "-c", "head -c 1000000 /dev/zero | tr '\\0' x; echo the end"});
     const ProcessEnd end = wait_for(process);
     EXPECT_EQ(end.output.size(), 4096u);
     EXPECT_TRUE(end.output.ends_with("xthe end\n"));
@@ -57,7 +57,7 @@ TEST(CommandProcess, KeepsTheEndOfALongOutput)
 
 TEST(CommandProcess, ACommandThatIsNotThereEndsWith127)
 {
-    CommandProcess process({"/no/such/command"});
+    sweep::CommandProcess process({"/no/such/command"});
     EXPECT_EQ(wait_for(process).status, 127);
 }
 
@@ -67,8 +67,8 @@ TEST(CommandProcess, IsEndedWithItsObject)
     const std::string file = (folder / "id").string();
     pid_t id = 0;
     {
-        CommandProcess process({"/bin/sh", "-c", "echo $$ > " + file + "; exec sleep 60"});
-        const CommandProcess moved = std::move(process);
+        sweep::CommandProcess process({"/bin/sh", "-c", "echo $$ > " + file + "; exec sleep 60"});
+        const sweep::CommandProcess moved = std::move(process);
         for (int i = 0; i < 3000 && id == 0; ++i)
         {
             usleep(2000);

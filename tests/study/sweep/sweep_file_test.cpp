@@ -20,15 +20,15 @@ using ::testing::DoubleNear;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-SweepFile parse(const std::string& axes)
+sweep::SweepFile parse(const std::string& axes)
 {
-    return parse_sweep("base = \"base.toml\"\n" + axes, "sweep.toml", "/sweeps");
+    return sweep::parse_sweep("base = \"base.toml\"\n" + axes, "sweep.toml", "/sweeps");
 }
 
-std::vector<double> numbers(const SweepAxis& axis)
+std::vector<double> numbers(const sweep::SweepAxis& axis)
 {
     std::vector<double> result;
-    for (const std::vector<Value>& values : axis.values)
+    for (const std::vector<config::Value>& values : axis.values)
     {
         const auto* integer = std::get_if<std::int64_t>(&values.front());
         result.push_back(integer != nullptr ? static_cast<double>(*integer) : std::get<double>(values.front()));
@@ -70,7 +70,7 @@ TEST(SweepFile, RangesHaveTheirEnds)
 
 TEST(SweepFile, PathsAreThoseBesideTheSweep)
 {
-    const SweepFile sweep = parse("[[axis]]\nkey = \"geometry.file\"\nvalues = [\"a.stl\", \"../b.stl\"]\n");
+    const sweep::SweepFile sweep = parse("[[axis]]\nkey = \"geometry.file\"\nvalues = [\"a.stl\", \"../b.stl\"]\n");
     EXPECT_EQ(sweep.base, "/sweeps/base.toml");
     EXPECT_EQ(std::get<std::string>(sweep.axes.front().values[0][0]), "/sweeps/a.stl");
     EXPECT_EQ(std::get<std::string>(sweep.axes.front().values[1][0]), "/b.stl");
@@ -79,16 +79,16 @@ TEST(SweepFile, PathsAreThoseBesideTheSweep)
 
 TEST(SweepFile, LikeNamesAreToldApartByTheirSections)
 {
-    const SweepFile sweep = parse("[[axis]]\nkey = \"contact.stiffness\"\nvalues = [0.1]\n[[axis]]\nkey = "
-                                  "\"contact.distance\"\nvalues = [0.2]\n");
+    const sweep::SweepFile sweep = parse("[[axis]]\nkey = \"contact.stiffness\"\nvalues = [0.1]\n[[axis]]\nkey = "
+                                         "\"contact.distance\"\nvalues = [0.2]\n");
     EXPECT_THAT(sweep.axes[0].names, ElementsAre("stiffness-0.1"));
     EXPECT_THAT(sweep.axes[1].names, ElementsAre("distance-0.2"));
 }
 
 TEST(SweepFile, SettingsMayBeDottedOrNested)
 {
-    const SweepFile sweep = parse("[set]\nsolver.cfl = 0.4\n\"tissue.layer\" = \"binary\"\n[set.time]\nend = 1\n"
-                                  "[[axis]]\nkey = \"solver.zeta\"\nvalues = [0.1]\n");
+    const sweep::SweepFile sweep = parse("[set]\nsolver.cfl = 0.4\n\"tissue.layer\" = \"binary\"\n[set.time]\nend = 1\n"
+                                         "[[axis]]\nkey = \"solver.zeta\"\nvalues = [0.1]\n");
     EXPECT_THAT(sweep.settings,
                 ::testing::UnorderedElementsAre("solver.cfl=0.4", "tissue.layer=\"binary\"", "time.end=1.0"));
 }
@@ -107,18 +107,18 @@ class SweepRuns : public ::testing::Test
 {
   protected:
     SweepRuns() { std::ofstream(folder.path() / "base.toml") << "[geometry]\nparticles = 1000\n"; }
-    SweepFile parse(const std::string& text) const
+    sweep::SweepFile parse(const std::string& text) const
     {
-        return parse_sweep("base = \"base.toml\"\n" + text, "sweep.toml", folder.path());
+        return sweep::parse_sweep("base = \"base.toml\"\n" + text, "sweep.toml", folder.path());
     }
     TemporaryFolder folder;
 };
 
 TEST_F(SweepRuns, TheLastAxisIsTheFastest)
 {
-    const SweepFile sweep = parse("[[axis]]\nkey = \"solver.cfl\"\nvalues = [0.1, 0.2]\n"
-                                  "[[axis]]\nkey = \"solver.zeta\"\nvalues = [0.3, 0.4]\n");
-    const std::vector<SweepRun> runs = sweep_runs(sweep);
+    const sweep::SweepFile sweep = parse("[[axis]]\nkey = \"solver.cfl\"\nvalues = [0.1, 0.2]\n"
+                                         "[[axis]]\nkey = \"solver.zeta\"\nvalues = [0.3, 0.4]\n");
+    const std::vector<sweep::SweepRun> runs = sweep::sweep_runs(sweep);
     ASSERT_EQ(runs.size(), 4u);
     EXPECT_EQ(runs[1].name, "cfl-0.1_zeta-0.4");
     EXPECT_EQ(runs[2].options.dynamics.cfl, 0.2);
@@ -128,28 +128,29 @@ TEST_F(SweepRuns, TheLastAxisIsTheFastest)
 
 TEST_F(SweepRuns, ASpacingReplacesTheParticlesOfTheBase)
 {
-    const std::vector<SweepRun> runs = sweep_runs(parse("[[axis]]\nkey = \"geometry.spacing_mm\"\nvalues = [1.0]\n"));
+    const std::vector<sweep::SweepRun> runs =
+        sweep::sweep_runs(parse("[[axis]]\nkey = \"geometry.spacing_mm\"\nvalues = [1.0]\n"));
     EXPECT_FALSE(runs.front().options.geometry.particles);
     EXPECT_EQ(runs.front().options.geometry.spacing_mm, 1.0);
 }
 
 TEST_F(SweepRuns, ASettingOfTheCommandLineReplacesThatOfTheFile)
 {
-    SweepFile sweep = parse("[set]\ntime.end = 0.5\n[[axis]]\nkey = \"solver.cfl\"\nvalues = [0.1]\n");
-    change_settings(sweep, std::vector<std::string>{"time.end=0.25"});
+    sweep::SweepFile sweep = parse("[set]\ntime.end = 0.5\n[[axis]]\nkey = \"solver.cfl\"\nvalues = [0.1]\n");
+    sweep::change_settings(sweep, std::vector<std::string>{"time.end=0.25"});
     EXPECT_THAT(sweep.settings, ElementsAre("time.end=0.25"));
-    EXPECT_EQ(sweep_runs(sweep).front().options.time.end, 0.25);
-    EXPECT_THROW(change_settings(sweep, std::vector<std::string>{"solver.cfl=0.2"}), InputError);
+    EXPECT_EQ(sweep::sweep_runs(sweep).front().options.time.end, 0.25);
+    EXPECT_THROW(sweep::change_settings(sweep, std::vector<std::string>{"solver.cfl=0.2"}), InputError);
 }
 
 TEST_F(SweepRuns, IdentityLeavesOutWhatChangesNoNumber)
 {
-    const SweepFile sweep = parse("[[axis]]\nkey = \"solver.cfl\"\nvalues = [0.1]\n");
+    const sweep::SweepFile sweep = parse("[[axis]]\nkey = \"solver.cfl\"\nvalues = [0.1]\n");
     const auto identity = [&](const std::string& setting)
     {
-        SweepFile changed = sweep;
-        change_settings(changed, std::vector{setting});
-        return case_identity(sweep_runs(changed).front().options);
+        sweep::SweepFile changed = sweep;
+        sweep::change_settings(changed, std::vector{setting});
+        return sweep::case_identity(sweep::sweep_runs(changed).front().options);
     };
     EXPECT_EQ(identity("output.pictures=\"off\""), identity("output.checkpoint_minutes=1"));
     EXPECT_NE(identity("output.count=7"), identity("output.count=8"));
@@ -158,21 +159,22 @@ TEST_F(SweepRuns, IdentityLeavesOutWhatChangesNoNumber)
 
 TEST_F(SweepRuns, ReferencesByValuesKeepTheOtherAxes)
 {
-    SweepFile sweep = parse("reference = { solver.cfl = 0.2 }\n[[axis]]\nkey = \"solver.cfl\"\nvalues = [0.1, 0.2]\n"
-                            "[[axis]]\nkey = \"solver.zeta\"\nvalues = [0.3, 0.4]\n");
-    const std::vector<SweepRun> runs = sweep_runs(sweep);
-    EXPECT_THAT(given_references(sweep, runs), ElementsAre(2u, 3u, 2u, 3u));
-    sweep.reference.kind = SweepReference::Kind::number;
+    sweep::SweepFile sweep =
+        parse("reference = { solver.cfl = 0.2 }\n[[axis]]\nkey = \"solver.cfl\"\nvalues = [0.1, 0.2]\n"
+              "[[axis]]\nkey = \"solver.zeta\"\nvalues = [0.3, 0.4]\n");
+    const std::vector<sweep::SweepRun> runs = sweep::sweep_runs(sweep);
+    EXPECT_THAT(sweep::given_references(sweep, runs), ElementsAre(2u, 3u, 2u, 3u));
+    sweep.reference.kind = sweep::SweepReference::Kind::number;
     sweep.reference.number = 5;
-    EXPECT_THROW(given_references(sweep, runs), InputError);
+    EXPECT_THROW(sweep::given_references(sweep, runs), InputError);
 }
 
 TEST_F(SweepRuns, OnlyTakesNumbersNamesAndValues)
 {
-    const SweepFile sweep = parse("[[axis]]\nkey = \"solver.cfl\"\nvalues = [0.1, 1]\n"
-                                  "[[axis]]\nkey = \"solver.zeta\"\nvalues = [0.3, 0.4]\n");
-    const std::vector<SweepRun> runs = sweep_runs(sweep);
-    const auto chosen = [&](std::vector<std::string> only) { return chosen_runs(sweep, runs, only); };
+    const sweep::SweepFile sweep = parse("[[axis]]\nkey = \"solver.cfl\"\nvalues = [0.1, 1]\n"
+                                         "[[axis]]\nkey = \"solver.zeta\"\nvalues = [0.3, 0.4]\n");
+    const std::vector<sweep::SweepRun> runs = sweep::sweep_runs(sweep);
+    const auto chosen = [&](std::vector<std::string> only) { return sweep::chosen_runs(sweep, runs, only); };
     EXPECT_THAT(chosen({}), ElementsAre(true, true, true, true));
     EXPECT_THAT(chosen({"2", "cfl-0.1_zeta-0.3"}), ElementsAre(true, true, false, false));
     EXPECT_THAT(chosen({"solver.cfl=1"}), ElementsAre(false, false, true, true));

@@ -11,7 +11,7 @@
 
 #include <algorithm>
 
-namespace corticle
+namespace corticle::formats
 {
 
 namespace
@@ -247,4 +247,4 @@ void write_scalars_freesurfer(const std::filesystem::path& file, std::span<const
     write_text_atomically(file, bytes);
 }
 
-} // namespace corticle
+} // namespace corticle::formats

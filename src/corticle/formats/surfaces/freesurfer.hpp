@@ -11,7 +11,7 @@
 // FreeSurfer's binary files, big endian: triangle surfaces (lh.white, lh.pial: magic ff ff fe) and scalars per vertex
 // in the "new" curv format (lh.thickness, lh.curv, lh.sulc: magic ff ff ff).
 
-namespace corticle
+namespace corticle::formats
 {
 
 bool is_freesurfer_surface(std::string_view bytes);
@@ -30,4 +30,4 @@ void write_surface_freesurfer(const std::filesystem::path& file, std::span<const
 void write_scalars_freesurfer(const std::filesystem::path& file, std::span<const double> values,
                               std::size_t triangle_count);
 
-} // namespace corticle
+} // namespace corticle::formats

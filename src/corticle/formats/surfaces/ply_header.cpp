@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace corticle
+namespace corticle::formats
 {
 
 namespace
@@ -125,4 +125,4 @@ PlyHeader take_ply_header(std::string_view& text, const SurfaceBuilder& surface)
     fail_reading(surface.file(), "truncated PLY header", "the end of the file", "end_header");
 }
 
-} // namespace corticle
+} // namespace corticle::formats

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace corticle
+namespace corticle::formats
 {
 
 enum class PlyType
@@ -56,4 +56,4 @@ struct PlyHeader
 /// @throws InputError, one line, when it is no PLY header.
 PlyHeader take_ply_header(std::string_view& text, const SurfaceBuilder& surface);
 
-} // namespace corticle
+} // namespace corticle::formats

@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace corticle
+namespace corticle::formats
 {
 
 /// Collects a surface while a file is read, and refuses what no surface may hold.
@@ -57,4 +57,4 @@ void parse_vtp(std::string_view bytes, SurfaceBuilder& surface);
 void parse_gifti_surface(std::string_view bytes, SurfaceBuilder& surface);
 void parse_freesurfer_surface(std::string_view bytes, SurfaceBuilder& surface);
 
-} // namespace corticle
+} // namespace corticle::formats

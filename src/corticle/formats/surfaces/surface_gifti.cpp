@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace corticle
+namespace corticle::formats
 {
 
 namespace
@@ -146,4 +146,4 @@ void parse_gifti_surface(std::string_view bytes, SurfaceBuilder& surface)
     }
 }
 
-} // namespace corticle
+} // namespace corticle::formats

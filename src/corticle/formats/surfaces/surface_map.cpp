@@ -14,7 +14,7 @@
 #include <cmath>
 #include <limits>
 
-namespace corticle
+namespace corticle::formats
 {
 
 namespace
@@ -211,4 +211,4 @@ std::vector<double> read_surface_map(const std::filesystem::path& file, const st
     return parse_surface_map(read_whole_file(file), lower_case_extension(file), file.string(), array, vertex_count);
 }
 
-} // namespace corticle
+} // namespace corticle::formats

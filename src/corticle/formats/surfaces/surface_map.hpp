@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace corticle
+namespace corticle::formats
 {
 
 /// Reads one number for each of `vertex_count` vertices of a surface, in the order of its file
@@ -23,4 +23,4 @@ std::vector<double> read_surface_map(const std::filesystem::path& file, const st
 std::vector<double> parse_surface_map(std::string_view bytes, const std::string& extension, const std::string& name,
                                       const std::string& array, std::int64_t vertex_count);
 
-} // namespace corticle
+} // namespace corticle::formats

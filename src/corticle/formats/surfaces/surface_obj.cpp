@@ -9,7 +9,7 @@
 #include <array>
 #include <vector>
 
-namespace corticle
+namespace corticle::formats
 {
 
 namespace
@@ -84,4 +84,4 @@ void parse_obj(std::string_view bytes, SurfaceBuilder& surface)
     }
 }
 
-} // namespace corticle
+} // namespace corticle::formats

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace corticle
+namespace corticle::formats
 {
 
 namespace
@@ -95,4 +95,4 @@ void parse_off(std::string_view text, SurfaceBuilder& surface)
     }
 }
 
-} // namespace corticle
+} // namespace corticle::formats

@@ -10,7 +10,7 @@
 #include <array>
 #include <vector>
 
-namespace corticle
+namespace corticle::formats
 {
 
 namespace
@@ -197,4 +197,4 @@ void parse_ply(std::string_view text, SurfaceBuilder& surface)
     }
 }
 
-} // namespace corticle
+} // namespace corticle::formats

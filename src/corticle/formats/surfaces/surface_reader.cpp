@@ -14,7 +14,7 @@
 #include <limits>
 #include <utility>
 
-namespace corticle
+namespace corticle::formats
 {
 
 namespace
@@ -59,7 +59,7 @@ TriangleMesh parse_unmerged(std::string_view bytes, const std::string& extension
 
 TriangleMesh merged(const TriangleMesh& surface, const std::string& name)
 {
-    TriangleMesh result = merge_duplicates(surface);
+    TriangleMesh result = geometry::merge_duplicates(surface);
     if (result.triangles.empty())
     {
         fail_reading(name, "every triangle has collapsed", "0 triangles once equal vertices are merged",
@@ -184,4 +184,4 @@ TriangleMesh read_surface(const std::filesystem::path& file, const SurfaceFileOp
     return merged(read_surface_unmerged(file, options), file.string());
 }
 
-} // namespace corticle
+} // namespace corticle::formats

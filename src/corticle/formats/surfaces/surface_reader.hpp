@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace corticle
+namespace corticle::formats
 {
 
 /// How a surface file is read.
@@ -37,4 +37,4 @@ TriangleMesh read_surface_unmerged(const std::filesystem::path& file, const Surf
 TriangleMesh parse_surface(std::string_view bytes, const std::string& extension, const std::string& name,
                            const SurfaceFileOptions& options = {});
 
-} // namespace corticle
+} // namespace corticle::formats

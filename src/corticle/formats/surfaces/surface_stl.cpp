@@ -7,7 +7,7 @@
 
 #include <array>
 
-namespace corticle
+namespace corticle::formats
 {
 
 namespace
@@ -163,4 +163,4 @@ void parse_stl(std::string_view bytes, SurfaceBuilder& surface)
     parse_binary(bytes, triangles, surface);
 }
 
-} // namespace corticle
+} // namespace corticle::formats

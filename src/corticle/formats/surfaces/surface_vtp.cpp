@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace corticle
+namespace corticle::formats
 {
 
 namespace
@@ -85,4 +85,4 @@ void parse_vtp(std::string_view bytes, SurfaceBuilder& surface)
     }
 }
 
-} // namespace corticle
+} // namespace corticle::formats

@@ -8,7 +8,7 @@
 #include <cassert>
 #include <cstdint>
 
-namespace corticle
+namespace corticle::formats
 {
 
 namespace
@@ -93,4 +93,4 @@ void write_surface_stl(const std::filesystem::path& file, std::span<const Vec3> 
     write_text_atomically(file, bytes);
 }
 
-} // namespace corticle
+} // namespace corticle::formats

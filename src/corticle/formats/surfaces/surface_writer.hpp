@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-namespace corticle
+namespace corticle::formats
 {
 
 /// Writes a surface as binary PLY: coordinates [mm] and scalars per vertex as double, the latter as properties; what
@@ -18,4 +18,4 @@ void write_surface_ply(const std::filesystem::path& file, std::span<const Vec3> 
 void write_surface_stl(const std::filesystem::path& file, std::span<const Vec3> points,
                        std::span<const Triangle> triangles);
 
-} // namespace corticle
+} // namespace corticle::formats

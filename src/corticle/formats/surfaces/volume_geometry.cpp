@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-namespace corticle
+namespace corticle::formats
 {
 
 namespace
@@ -60,4 +60,4 @@ std::optional<AffineMap> tkras_to_scanner(const VolumeGeometry& volume)
     return map;
 }
 
-} // namespace corticle
+} // namespace corticle::formats

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-namespace corticle
+namespace corticle::formats
 {
 
 /// x -> linear x + shift, between frames of coordinates [mm].
@@ -38,4 +38,4 @@ struct VolumeGeometry
 /// Nothing when the axes do not span space or are not finite.
 std::optional<AffineMap> tkras_to_scanner(const VolumeGeometry& volume);
 
-} // namespace corticle
+} // namespace corticle::formats

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-namespace corticle
+namespace corticle::formats
 {
 
 namespace
@@ -64,4 +64,4 @@ void take_gmsh_element(NumberSource& source, const GmshElementType& type, int ta
     }
 }
 
-} // namespace corticle
+} // namespace corticle::formats

@@ -4,7 +4,7 @@
 #include "corticle/formats/number_source.hpp"
 #include "corticle/formats/tets/tet_formats.hpp"
 
-namespace corticle
+namespace corticle::formats
 {
 
 /// What becomes of the elements of a Gmsh file.
@@ -30,4 +30,4 @@ const GmshElementType& gmsh_element_type(std::int64_t number, const NumberSource
 /// Takes the nodes of one element, each of `tag_bytes` bytes, and adds it when it is a tet.
 void take_gmsh_element(NumberSource& source, const GmshElementType& type, int tag_bytes, TetBuilder& mesh);
 
-} // namespace corticle
+} // namespace corticle::formats

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace corticle
+namespace corticle::formats
 {
 
 /// Collects a tet mesh while a file is read. Files name nodes by tags: any whole numbers.
@@ -44,4 +44,4 @@ void parse_netgen(std::string_view text, TetBuilder& mesh);
 void parse_medit(std::string_view text, TetBuilder& mesh);
 void parse_vtu(std::string_view bytes, TetBuilder& mesh);
 
-} // namespace corticle
+} // namespace corticle::formats

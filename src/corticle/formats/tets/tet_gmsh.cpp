@@ -11,7 +11,7 @@
 
 // The MSH file format of the Gmsh reference manual, versions 2.2, 4.0 and 4.1.
 
-namespace corticle
+namespace corticle::formats
 {
 
 namespace
@@ -331,4 +331,4 @@ void parse_gmsh(std::string_view bytes, TetBuilder& mesh)
     }
 }
 
-} // namespace corticle
+} // namespace corticle::formats

@@ -6,7 +6,7 @@
 
 // Two text formats that share the extension .mesh: Netgen's neutral one and that of Medit (INRIA report 0253).
 
-namespace corticle
+namespace corticle::formats
 {
 
 namespace
@@ -159,4 +159,4 @@ void parse_medit(std::string_view text, TetBuilder& mesh)
     }
 }
 
-} // namespace corticle
+} // namespace corticle::formats

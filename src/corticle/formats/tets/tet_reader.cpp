@@ -11,7 +11,7 @@
 #include <limits>
 #include <optional>
 
-namespace corticle
+namespace corticle::formats
 {
 
 namespace
@@ -190,4 +190,4 @@ TetMesh read_tets(const std::filesystem::path& file, double scale, std::vector<s
     return mesh;
 }
 
-} // namespace corticle
+} // namespace corticle::formats

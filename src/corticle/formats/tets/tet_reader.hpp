@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-namespace corticle
+namespace corticle::formats
 {
 
 /// Is this, by its extension, a file that read_tets reads: .msh, .mesh or .vtu?
@@ -24,4 +24,4 @@ TetMesh read_tets(const std::filesystem::path& file, double scale = 1.0, std::ve
 /// The same from bytes already in memory; `name` is used in messages. (What the fuzz test drives.)
 TetMesh parse_tets(std::string_view bytes, const std::string& name, std::vector<std::string>* notes = nullptr);
 
-} // namespace corticle
+} // namespace corticle::formats

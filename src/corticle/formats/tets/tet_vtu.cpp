@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <array>
 
-namespace corticle
+namespace corticle::formats
 {
 
 namespace
@@ -115,4 +115,4 @@ void parse_vtu(std::string_view bytes, TetBuilder& mesh)
     }
 }
 
-} // namespace corticle
+} // namespace corticle::formats

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace corticle
+namespace corticle::formats
 {
 
 /// Is this, by its name in either case, a NIfTI file: .nii, .nii.gz, or the .hdr and .img of the older pairs?
@@ -31,14 +31,14 @@ struct NiftiChoice
 /// sform of zeros. Never crashes, hangs or allocates more than the file can justify.
 /// @throws InputError, one line naming the file, when it is missing, truncated, not of this format, a 4D image without
 /// a choice of its volume, or holds absurd sizes or numbers that are not labels.
-LabelVolume read_nifti(const std::filesystem::path& file, const NiftiChoice& choice = {});
+imaging::LabelVolume read_nifti(const std::filesystem::path& file, const NiftiChoice& choice = {});
 
 /// The same from bytes already in memory; `name` is used in messages. (What the fuzz test drives.)
-LabelVolume parse_nifti(std::string_view bytes, const std::string& name, const NiftiChoice& choice = {});
+imaging::LabelVolume parse_nifti(std::string_view bytes, const std::string& name, const NiftiChoice& choice = {});
 
 /// Writes NIfTI-1 in the smallest integer type that holds the labels; `.nii.gz` is compressed, `.nii` is not. sform
 /// carries the frame, and qform too where its voxels have right angles. Appears whole or not at all.
 /// @throws InputError for another extension or an image too large for NIfTI-1; RunError when it cannot be written.
-void write_nifti(const std::filesystem::path& file, const LabelVolume& image);
+void write_nifti(const std::filesystem::path& file, const imaging::LabelVolume& image);
 
-} // namespace corticle
+} // namespace corticle::formats

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace corticle
+namespace corticle::formats
 {
 
 NiftiFields::NiftiFields(InflatingStream& stream, const std::string& name) : name_(name)
@@ -65,4 +65,4 @@ void NiftiFields::require_magic() const
     }
 }
 
-} // namespace corticle
+} // namespace corticle::formats

@@ -3,7 +3,7 @@
 
 #include "corticle/formats/volumes/nifti_header.hpp"
 
-namespace corticle
+namespace corticle::formats
 {
 
 /// The fields of a header of either kind and byte order.
@@ -55,4 +55,4 @@ class NiftiFields
     bool swapped_ = false;
 };
 
-} // namespace corticle
+} // namespace corticle::formats

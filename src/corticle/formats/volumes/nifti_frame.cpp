@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace corticle
+namespace corticle::formats
 {
 
 namespace
@@ -67,7 +67,7 @@ Mat3 quaternion_rotation(Vec3 bcd)
              {2 * (b * d + a * c), 2 * (c * d - a * b), a * a + d * d - b * b - c * c}}};
 }
 
-VoxelFrame qform_frame(const NiftiFields& fields, Notes& notes)
+imaging::VoxelFrame qform_frame(const NiftiFields& fields, Notes& notes)
 {
     const NiftiLayout& at = fields.layout();
     const Vec3 bcd{fields.real(at.quaternion, 0), fields.real(at.quaternion, 1), fields.real(at.quaternion, 2)};
@@ -88,9 +88,9 @@ VoxelFrame qform_frame(const NiftiFields& fields, Notes& notes)
             {fields.real(at.offset, 0), fields.real(at.offset, 1), fields.real(at.offset, 2)}};
 }
 
-VoxelFrame sform_frame(const NiftiFields& fields)
+imaging::VoxelFrame sform_frame(const NiftiFields& fields)
 {
-    VoxelFrame frame;
+    imaging::VoxelFrame frame;
     for (int row = 0; row < 3; ++row)
     {
         const std::size_t first = 4 * static_cast<std::size_t>(row);
@@ -103,10 +103,10 @@ VoxelFrame sform_frame(const NiftiFields& fields)
     return frame;
 }
 
-VoxelFrame pixdim_frame(const NiftiFields& fields, const std::array<std::int64_t, 3>& size, Notes& notes)
+imaging::VoxelFrame pixdim_frame(const NiftiFields& fields, const std::array<std::int64_t, 3>& size, Notes& notes)
 {
     const Vec3 sizes = voxel_sizes(fields, notes);
-    VoxelFrame frame;
+    imaging::VoxelFrame frame;
     frame.linear = Mat3::diagonal(-sizes.x, sizes.y, sizes.z);
     frame.origin = -(frame.linear * (0.5 * Vec3{static_cast<double>(size[0] - 1), static_cast<double>(size[1] - 1),
                                                 static_cast<double>(size[2] - 1)}));
@@ -123,7 +123,7 @@ bool is_zero(const Mat3& matrix)
 /// A frame and the field of the header that it comes from.
 struct NamedFrame
 {
-    VoxelFrame frame;
+    imaging::VoxelFrame frame;
     std::string field;
 };
 
@@ -134,7 +134,7 @@ NamedFrame chosen_frame(const NiftiFields& fields, const std::array<std::int64_t
     const std::int64_t qform_code = fields.code(at.qform_code);
     if (sform_code > 0)
     {
-        const VoxelFrame sform = sform_frame(fields);
+        const imaging::VoxelFrame sform = sform_frame(fields);
         if (!is_zero(sform.linear))
         {
             // A rotation mirrors nothing, so the sense of the third axis decides for the qform.
@@ -159,8 +159,8 @@ NamedFrame chosen_frame(const NiftiFields& fields, const std::array<std::int64_t
 
 void require_frame(const NiftiFields& fields, const NamedFrame& named, const std::string& unit)
 {
-    const VoxelFrame& frame = named.frame;
-    const Vec3 edges = voxel_edges(frame);
+    const imaging::VoxelFrame& frame = named.frame;
+    const Vec3 edges = imaging::voxel_edges(frame);
     for (int axis = 0; axis < 3; ++axis)
     {
         if (!(edges[axis] >= smallest_voxel && edges[axis] <= largest_voxel))
@@ -223,8 +223,8 @@ LengthUnit length_unit(const NiftiFields& fields, Coordinates coordinates, Notes
 
 } // namespace
 
-VoxelFrame read_nifti_frame(const NiftiFields& fields, const std::array<std::int64_t, 3>& size, Coordinates coordinates,
-                            std::vector<std::string>& notes)
+imaging::VoxelFrame read_nifti_frame(const NiftiFields& fields, const std::array<std::int64_t, 3>& size,
+                                     Coordinates coordinates, std::vector<std::string>& notes)
 {
     NamedFrame named = chosen_frame(fields, size, notes);
     const LengthUnit unit = length_unit(fields, coordinates, notes);
@@ -234,4 +234,4 @@ VoxelFrame read_nifti_frame(const NiftiFields& fields, const std::array<std::int
     return named.frame;
 }
 
-} // namespace corticle
+} // namespace corticle::formats

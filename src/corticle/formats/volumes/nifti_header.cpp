@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace corticle
+namespace corticle::formats
 {
 
 namespace
@@ -115,4 +115,4 @@ NiftiHeader read_nifti_header(InflatingStream& stream, const std::string& name, 
     return header;
 }
 
-} // namespace corticle
+} // namespace corticle::formats

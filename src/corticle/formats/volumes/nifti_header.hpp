@@ -12,7 +12,7 @@
 #include <string>
 #include <type_traits>
 
-namespace corticle
+namespace corticle::formats
 {
 
 // The numbers are those of nifti1.h and nifti2.h (nifti.nimh.nih.gov).
@@ -53,7 +53,7 @@ struct NiftiHeader
     double slope = 1.0;
     double intercept = 0.0;
     std::size_t skip = 0; ///< bytes between header and data
-    VoxelFrame frame;
+    imaging::VoxelFrame frame;
     std::vector<std::string> notes; ///< what was not taken as it stands, one line each
 };
 
@@ -75,4 +75,4 @@ T number_at(const char* bytes, bool swapped)
     return std::bit_cast<T>(copy);
 }
 
-} // namespace corticle
+} // namespace corticle::formats

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace corticle
+namespace corticle::formats
 {
 
 namespace
@@ -89,7 +89,8 @@ class LabelReader
             const double scaled = header_.slope * raw;
             const double value = scaled + header_.intercept;
             const double whole = std::nearbyint(value);
-            const bool is_whole = is_whole_label(value, std::max(std::abs(scaled), std::abs(header_.intercept)));
+            const bool is_whole =
+                imaging::is_whole_label(value, std::max(std::abs(scaled), std::abs(header_.intercept)));
             const bool fits = std::abs(whole) <= static_cast<double>(std::numeric_limits<std::int32_t>::max());
             if (!is_whole || !fits)
             {
@@ -154,11 +155,11 @@ bool is_nifti(const std::filesystem::path& file)
            (last == "gz" && lower_case_extension(file.stem()) == "nii");
 }
 
-LabelVolume parse_nifti(std::string_view bytes, const std::string& name, const NiftiChoice& choice)
+imaging::LabelVolume parse_nifti(std::string_view bytes, const std::string& name, const NiftiChoice& choice)
 {
     InflatingStream stream(bytes, name);
     const NiftiHeader header = read_nifti_header(stream, name, choice.coordinates);
-    LabelVolume image;
+    imaging::LabelVolume image;
     image.size = header.size;
     image.frame = header.frame;
     image.notes = header.notes;
@@ -194,10 +195,10 @@ LabelVolume parse_nifti(std::string_view bytes, const std::string& name, const N
     return image;
 }
 
-LabelVolume read_nifti(const std::filesystem::path& file, const NiftiChoice& choice)
+imaging::LabelVolume read_nifti(const std::filesystem::path& file, const NiftiChoice& choice)
 {
     const std::string bytes = read_whole_file(file);
     return parse_nifti(bytes, file.string(), choice);
 }
 
-} // namespace corticle
+} // namespace corticle::formats

@@ -11,7 +11,7 @@
 #include <limits>
 #include <optional>
 
-namespace corticle
+namespace corticle::formats
 {
 
 namespace
@@ -72,20 +72,20 @@ Quaternion quaternion_of(const Mat3& r)
 
 /// Edges of unit length, the third turned over where the frame is left-handed; nothing where they are not at right
 /// angles.
-std::optional<Mat3> rotation_of(const VoxelFrame& frame, double handedness)
+std::optional<Mat3> rotation_of(const imaging::VoxelFrame& frame, double handedness)
 {
-    const Vec3 edges = voxel_edges(frame);
+    const Vec3 edges = imaging::voxel_edges(frame);
     Mat3 r = frame.linear * Mat3::diagonal(1.0 / edges.x, 1.0 / edges.y, handedness / edges.z);
     constexpr double round_off = 1e-6;
     const Mat3 skew = transpose(r) * r - Mat3::identity();
     return contract(skew, skew) <= round_off * round_off ? std::optional(r) : std::nullopt;
 }
 
-void put_frame(const VoxelFrame& frame, HeaderBytes& header)
+void put_frame(const imaging::VoxelFrame& frame, HeaderBytes& header)
 {
     const NiftiLayout& at = nifti1_layout;
     const double handedness = determinant(frame.linear) < 0.0 ? -1.0 : 1.0;
-    const Vec3 edges = voxel_edges(frame);
+    const Vec3 edges = imaging::voxel_edges(frame);
     header.put(at.pixdim, static_cast<float>(handedness));
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -114,7 +114,7 @@ void put_frame(const VoxelFrame& frame, HeaderBytes& header)
 }
 
 template <class Number>
-void append_labels(const LabelVolume& image, NiftiType type, HeaderBytes& header)
+void append_labels(const imaging::LabelVolume& image, NiftiType type, HeaderBytes& header)
 {
     constexpr std::size_t bitpix = 72;
     header.put(nifti1_layout.datatype, static_cast<std::int16_t>(type));
@@ -127,7 +127,7 @@ void append_labels(const LabelVolume& image, NiftiType type, HeaderBytes& header
     }
 }
 
-std::string nifti1_bytes(const LabelVolume& image)
+std::string nifti1_bytes(const imaging::LabelVolume& image)
 {
     const NiftiLayout& at = nifti1_layout;
     HeaderBytes header;
@@ -160,7 +160,7 @@ std::string nifti1_bytes(const LabelVolume& image)
 
 } // namespace
 
-void write_nifti(const std::filesystem::path& file, const LabelVolume& image)
+void write_nifti(const std::filesystem::path& file, const imaging::LabelVolume& image)
 {
     const std::string name = file.filename().string();
     const bool compressed = name.ends_with(".nii.gz");
@@ -179,4 +179,4 @@ void write_nifti(const std::filesystem::path& file, const LabelVolume& image)
     write_text_atomically(file, compressed ? gzip(bytes) : bytes);
 }
 
-} // namespace corticle
+} // namespace corticle::formats

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace corticle
+namespace corticle::contact
 {
 
 /// The share of its gap below which a pair never closes.
@@ -38,4 +38,4 @@ struct Barrier
     double stiffness(double d) const { return force_constant * room_at_rest() / (room(d) * room(d)); }
 };
 
-} // namespace corticle
+} // namespace corticle::contact

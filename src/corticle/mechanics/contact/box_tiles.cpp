@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace corticle
+namespace corticle::contact
 {
 
 namespace
@@ -188,4 +188,4 @@ void BoxTiles::find_overlaps(std::int32_t tile, const BoxTiles& others, std::vec
     }
 }
 
-} // namespace corticle
+} // namespace corticle::contact

@@ -10,7 +10,7 @@
 #include <limits>
 #include <vector>
 
-namespace corticle
+namespace corticle::contact
 {
 
 /// Two boxes that overlap.
@@ -84,4 +84,4 @@ class BoxTiles
     std::vector<std::vector<Tile>> levels_;
 };
 
-} // namespace corticle
+} // namespace corticle::contact

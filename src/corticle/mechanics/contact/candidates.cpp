@@ -7,7 +7,7 @@
 #include "corticle/mesh/distance.hpp"
 #include "corticle/mesh/space_filling_curve.hpp"
 
-namespace corticle
+namespace corticle::contact
 {
 
 namespace
@@ -288,4 +288,4 @@ void SurfaceParts::find_candidates(std::span<const Vec3> x, double range, std::s
         measured);
 }
 
-} // namespace corticle
+} // namespace corticle::contact

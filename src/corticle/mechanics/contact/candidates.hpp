@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace corticle
+namespace corticle::contact
 {
 
 /// Vertices at the ends of an edge, the lower first.
@@ -74,11 +74,11 @@ class SurfaceParts
     std::span<const Edge> edges() const { return edges_; }
     std::array<std::int32_t, 4> vertices_of(const VertexTriangle& pair) const
     {
-        return corticle::vertices_of(pair, triangles_.data());
+        return contact::vertices_of(pair, triangles_.data());
     }
     std::array<std::int32_t, 4> vertices_of(const EdgeEdge& pair) const
     {
-        return corticle::vertices_of(pair, edges_.data());
+        return contact::vertices_of(pair, edges_.data());
     }
 
     /// Sets `found` to the pairs closer than `range` plus the reach of both their parts, that of an edge or a triangle
@@ -114,4 +114,4 @@ class SurfaceParts
     Searched searched_edges_;
 };
 
-} // namespace corticle
+} // namespace corticle::contact

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace corticle
+namespace corticle::contact
 {
 
 namespace
@@ -61,19 +61,20 @@ ContactTerm::ContactTerm(const Cloud& cloud, const TriangleMesh& surface, std::s
 {
 }
 
-Contribution ContactTerm::add(const StepContext& context, std::span<Vec3> forces)
+mechanics::Contribution ContactTerm::add(const mechanics::StepContext& context, std::span<Vec3> forces)
 {
     response_ = contact_.evaluate(context.x, forces);
-    Contribution contribution;
+    mechanics::Contribution contribution;
     if (!fixed_step_)
     {
-        contribution.stable_step = contact_step(context.cfl, response_.largest_rate);
+        contribution.stable_step = dynamics::contact_step(context.cfl, response_.largest_rate);
     }
     return contribution;
 }
 
 /// Shortens the step where the surface would come too close to itself.
-TravelTaken ContactTerm::limit_travel(const Motion& from, double dt, double longest, Motion& to)
+mechanics::TravelTaken ContactTerm::limit_travel(const dynamics::Motion& from, double dt, double longest,
+                                                 dynamics::Motion& to)
 {
     if (contact_.stays_apart(longest))
     {
@@ -81,7 +82,7 @@ TravelTaken ContactTerm::limit_travel(const Motion& from, double dt, double long
     }
     displacement_.resize(particles_.size());
     parallel_runs(each(std::ssize(particles_), [&](std::int64_t k) { displacement_[k] = dt * to.v[particles_[k]]; }));
-    TravelTaken taken;
+    mechanics::TravelTaken taken;
     for (const std::int32_t vertex : contact_.hold_apart(displacement_))
     {
         const std::int32_t i = particles_[static_cast<std::size_t>(vertex)];
@@ -96,4 +97,4 @@ TravelTaken ContactTerm::limit_travel(const Motion& from, double dt, double long
     return taken;
 }
 
-} // namespace corticle
+} // namespace corticle::contact

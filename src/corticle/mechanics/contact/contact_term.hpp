@@ -5,11 +5,11 @@
 #include "corticle/mechanics/force_term.hpp"
 #include "corticle/mesh/cloud.hpp"
 
-namespace corticle
+namespace corticle::contact
 {
 
 /// Contact of the body's surface with itself, among the forces of a simulation.
-class ContactTerm final : public ForceTerm
+class ContactTerm final : public mechanics::ForceTerm
 {
   public:
     /// @param surface    its reference surface, whose vertices are cloud.surface_particles
@@ -20,9 +20,10 @@ class ContactTerm final : public ForceTerm
                 const ContactOptions& options, bool fixed_step);
 
     std::string_view name() const override { return "contact"; }
-    Contribution add(const StepContext& context, std::span<Vec3> forces) override;
-    std::vector<NamedEnergy> energies() const override { return {{"contact", contact_.energy()}}; }
-    TravelTaken limit_travel(const Motion& from, double dt, double longest, Motion& to) override;
+    mechanics::Contribution add(const mechanics::StepContext& context, std::span<Vec3> forces) override;
+    std::vector<mechanics::NamedEnergy> energies() const override { return {{"contact", contact_.energy()}}; }
+    mechanics::TravelTaken limit_travel(const dynamics::Motion& from, double dt, double longest,
+                                        dynamics::Motion& to) override;
     std::string cause_of_short_step(std::span<const Vec3> /*x*/) const override
     {
         return "stiffest contact: " + contact_.stiffest_pair();
@@ -40,4 +41,4 @@ class ContactTerm final : public ForceTerm
     std::vector<Vec3> displacement_; ///< of the vertices of the surface in the step [mm]
 };
 
-} // namespace corticle
+} // namespace corticle::contact

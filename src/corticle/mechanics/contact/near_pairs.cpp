@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace corticle
+namespace corticle::contact
 {
 
 namespace
@@ -163,4 +163,4 @@ void NearPairs::update(std::span<const Vec3> x, std::span<const std::int32_t> pl
     measure();
 }
 
-} // namespace corticle
+} // namespace corticle::contact

@@ -3,7 +3,7 @@
 
 #include "corticle/mechanics/contact/candidates.hpp"
 
-namespace corticle
+namespace corticle::contact
 {
 
 /// The pairs of parts of a moving surface that are near: closer than a range now. Which they are and in which order
@@ -86,4 +86,4 @@ void for_each_of(const NearPairs::Blocks<Pair>& blocks, Act&& act)
     }
 }
 
-} // namespace corticle
+} // namespace corticle::contact

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-namespace corticle
+namespace corticle::contact
 {
 
 struct ContactOptions
@@ -11,4 +11,4 @@ struct ContactOptions
     double stiffness = 0.5; ///< of a pair at its gap, in units of m (c_p / h)²
 };
 
-} // namespace corticle
+} // namespace corticle::contact

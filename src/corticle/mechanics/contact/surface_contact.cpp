@@ -13,7 +13,7 @@
 #include <limits>
 #include <numeric>
 
-namespace corticle
+namespace corticle::contact
 {
 
 namespace
@@ -365,4 +365,4 @@ std::string SurfaceContact::stiffest_pair() const
     return words;
 }
 
-} // namespace corticle
+} // namespace corticle::contact

@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-namespace corticle
+namespace corticle::contact
 {
 
 /// What one evaluation of the contact forces tells.
@@ -119,4 +119,4 @@ class SurfaceContact
     std::vector<double> rate_of_vertex_; ///< r over the mass
 };
 
-} // namespace corticle
+} // namespace corticle::contact

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numeric>
 
-namespace corticle
+namespace corticle::contact
 {
 
 namespace
@@ -272,4 +272,4 @@ void TravelLimit::move_together(std::span<Vec3> displacements)
     }
 }
 
-} // namespace corticle
+} // namespace corticle::contact

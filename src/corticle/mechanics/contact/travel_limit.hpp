@@ -3,7 +3,7 @@
 
 #include "corticle/mechanics/contact/near_pairs.hpp"
 
-namespace corticle
+namespace corticle::contact
 {
 
 /// Keeps a surface from crossing itself in a step, whatever the forces are.
@@ -76,4 +76,4 @@ class TravelLimit
     std::vector<std::int32_t> changed_;
 };
 
-} // namespace corticle
+} // namespace corticle::contact

@@ -8,7 +8,7 @@
 
 // The law of a linear tetrahedron, for the eight of a block at once. See docs/theory/fem.md.
 
-namespace corticle
+namespace corticle::fem
 {
 
 /// What the nodes of a tet give it: sums over its four corners.
@@ -23,9 +23,9 @@ using NodalSums = BasicNodalSums<WideLanes>;
 
 /// Power of growth and of moving layers on the volumetric energy of the nodes of a tet, per grown volume [mu_w].
 template <bool plain = false, RealLike Real>
-CORTICLE_INLINE Real nodal_power(const BasicMaterialPoint<Real>& point, const BasicNodalSums<Real>& nodal)
+CORTICLE_INLINE Real nodal_power(const material::BasicMaterialPoint<Real>& point, const BasicNodalSums<Real>& nodal)
 {
-    const Real swelling = swelling_rate<plain>(point);
+    const Real swelling = material::swelling_rate<plain>(point);
     return 0.25 * ((swelling * point.bulk_modulus + point.bulk_rate) * nodal.density - swelling * nodal.work);
 }
 
@@ -87,14 +87,14 @@ CORTICLE_INLINE WideLanes volumes(const WideEdges& edge)
 /// Forces, energy and growth power of the tets where nothing is extrapolated.
 template <bool plain>
 CORTICLE_INLINE TetResponse respond(const TetBlock& block, const WideEdges& edge, const WideMat3& F,
-                                    const WideTissue& tissue, const NodalSums& nodal)
+                                    const material::WideTissue& tissue, const NodalSums& nodal)
 {
     const auto& point = tissue.point;
     const WideLanes V = in_lanes(block.volume);
-    const WideLanes J_g = growth_volume<plain>(point);
-    const ElasticDeformation<WideLanes> e = elastic_deformation<plain>(point, tissue.normal, F);
-    const DeviatoricResponse<WideLanes> shape =
-        NeoHookean{}.respond_to_shape(point.shear_modulus, e.F_e, e.cofactor_e, e.J_e);
+    const WideLanes J_g = material::growth_volume<plain>(point);
+    const material::ElasticDeformation<WideLanes> e = material::elastic_deformation<plain>(point, tissue.normal, F);
+    const material::DeviatoricResponse<WideLanes> shape =
+        material::NeoHookean{}.respond_to_shape(point.shear_modulus, e.F_e, e.cofactor_e, e.J_e);
 
     TetResponse out;
     const WideMat3 P = (V * J_g) * (shape.stress * e.inverse_G) + (0.25 * nodal.pressure * V) * cofactor(F);
@@ -103,7 +103,7 @@ CORTICLE_INLINE TetResponse respond(const TetBlock& block, const WideEdges& edge
         out.force[a] = -(P * shape_gradient(block, a));
     }
     out.power = V * J_g *
-                (growth_power<plain>(point, tissue.normal, e.F_e, {shape.energy, WideLanes{}, shape.stress}) +
+                (material::growth_power<plain>(point, tissue.normal, e.F_e, {shape.energy, WideLanes{}, shape.stress}) +
                  nodal_power<plain>(point, nodal));
     out.energy = V * J_g * shape.energy;
     const WideLanes six_v = 6.0 * volumes(edge);
@@ -119,9 +119,9 @@ CORTICLE_INLINE TetResponse respond(const TetBlock& block, const WideEdges& edge
     const WideMat3 T = (outer(a0, a0) + outer(a1, a1)) + (outer(a2, a2) + outer(a3, a3));
     const WideLanes mean = trace(T) / 3.0;
     const WideLanes variance = larger<WideLanes>(contract(T, T) / 3.0 - mean * mean, WideLanes{});
-    out.stiffness =
-        V * J_g * longitudinal_modulus(point) * (mean + square_root<WideLanes>(2.0 * variance)) / (six_v * six_v);
+    out.stiffness = V * J_g * material::longitudinal_modulus(point) * (mean + square_root<WideLanes>(2.0 * variance)) /
+                    (six_v * six_v);
     return out;
 }
 
-} // namespace corticle
+} // namespace corticle::fem

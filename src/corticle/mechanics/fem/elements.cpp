@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace corticle
+namespace corticle::fem
 {
 
 namespace
@@ -154,4 +154,4 @@ Mat3 deformation_gradient(const TetElements& elements, std::size_t tet, std::spa
     return edges(x, nodes) * inverse(edges(elements.X, nodes));
 }
 
-} // namespace corticle
+} // namespace corticle::fem

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace corticle
+namespace corticle::fem
 {
 
 /// Constant data of eight tets, component by component.
@@ -52,4 +52,4 @@ TetElements make_elements(std::vector<Vec3> X, std::vector<Tet> tets, double spa
 /// F of one tet for given positions of the nodes.
 Mat3 deformation_gradient(const TetElements& elements, std::size_t tet, std::span<const Vec3> x);
 
-} // namespace corticle
+} // namespace corticle::fem

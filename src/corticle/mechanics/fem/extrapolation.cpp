@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace corticle
+namespace corticle::fem
 {
 
 namespace
@@ -75,7 +75,8 @@ SingularValues singular_values(const Mat3& F)
     return result;
 }
 
-ElasticResponse extrapolated_deviatoric(const SingularValues& elastic, double shear_modulus, double bulk_modulus)
+material::ElasticResponse extrapolated_deviatoric(const SingularValues& elastic, double shear_modulus,
+                                                  double bulk_modulus)
 {
     std::array<double, 3> c;
     std::array<double, 3> d;
@@ -86,7 +87,7 @@ ElasticResponse extrapolated_deviatoric(const SingularValues& elastic, double sh
     }
     const double scale = shear_modulus * std::pow(c[0] * c[1] * c[2], -2.0 / 3.0);
     const double squares = c[0] * c[0] + c[1] * c[1] + c[2] * c[2];
-    ElasticResponse result;
+    material::ElasticResponse result;
     result.deviatoric_energy = 0.5 * (scale * squares - 3.0 * shear_modulus);
     Vec3 slope; // dW / dstretch
     for (int i = 0; i < 3; ++i)
@@ -114,4 +115,4 @@ ElasticResponse extrapolated_deviatoric(const SingularValues& elastic, double sh
     return result;
 }
 
-} // namespace corticle
+} // namespace corticle::fem

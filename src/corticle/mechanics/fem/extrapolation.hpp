@@ -3,7 +3,7 @@
 
 #include "corticle/material/material.hpp"
 
-namespace corticle
+namespace corticle::fem
 {
 
 /// Principal stretch below which the deviatoric law is extrapolated [-].
@@ -23,6 +23,7 @@ SingularValues singular_values(const Mat3& F);
 /// in their published code): with c_i = max(stretch_i, 0.1) and d_i = stretch_i - c_i,
 /// W = W(c) + sum_i W_i(c) d_i + K/2 sum_i d_i².
 /// @return the parts of the energy with mu and with K, as if they were a law's deviatoric and volumetric energy
-ElasticResponse extrapolated_deviatoric(const SingularValues& elastic, double shear_modulus, double bulk_modulus);
+material::ElasticResponse extrapolated_deviatoric(const SingularValues& elastic, double shear_modulus,
+                                                  double bulk_modulus);
 
-} // namespace corticle
+} // namespace corticle::fem

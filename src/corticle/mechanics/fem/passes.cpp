@@ -7,7 +7,7 @@
 
 #include <optional>
 
-namespace corticle
+namespace corticle::fem
 {
 
 namespace
@@ -22,9 +22,10 @@ CORTICLE_INLINE WideGroup group_of(const Chunk& chunk, std::int64_t first)
 
 /// `plain`: growth is that of Tissue::grows_plainly.
 template <bool plain>
-CORTICLE_INLINE WideTissue tissue_of(const Chunk& chunk, const WideGroup& group, const WideMat3& F)
+CORTICLE_INLINE material::WideTissue tissue_of(const Chunk& chunk, const WideGroup& group, const WideMat3& F)
 {
-    return plain ? plain_tissue(chunk.tissue, chunk.t, group) : any_tissue(chunk.tissue, chunk.t, group, F);
+    return plain ? material::plain_tissue(chunk.tissue, chunk.t, group)
+                 : material::any_tissue(chunk.tissue, chunk.t, group, F);
 }
 
 template <bool plain>
@@ -43,7 +44,7 @@ CORTICLE_INLINE void sum_volumes(const Chunk& chunk, const Vec3* x, NodalVolume*
         WideEdges edge;
         gather_edges(block, local, edge);
         const auto point = tissue_of<plain>(chunk, group, WideMat3::identity()).point; // whatever the normal
-        const WideLanes grown = growth_volume<plain>(point) * in_lanes(block.volume);
+        const WideLanes grown = material::growth_volume<plain>(point) * in_lanes(block.volume);
         const WideVec3 quarter = 0.25 * WideVec3{volumes(edge), grown, point.bulk_modulus * grown};
         group.scatter_rows(quarter,
                            [&](int l, const Lanes& row)
@@ -62,7 +63,7 @@ struct OneTet
     Mat3 F;
     Vec3 gradient[3]; ///< of the shape functions of the corners 1, 2, 3 in the reference configuration [1/mm]
     double volume;    ///< V [mm³]
-    MaterialPoint point;
+    material::MaterialPoint point;
     Vec3 normal;
     BasicNodalSums<double> nodal;
 };
@@ -78,15 +79,16 @@ struct OneResponse
 /// where it is not.
 std::optional<OneResponse> extrapolate(const OneTet& tet)
 {
-    const MaterialPoint& point = tet.point;
-    const ElasticDeformation<double> e = elastic_deformation(point, tet.normal, tet.F);
+    const material::MaterialPoint& point = tet.point;
+    const material::ElasticDeformation<double> e = material::elastic_deformation(point, tet.normal, tet.F);
     const SingularValues elastic = singular_values(e.F_e);
     if (!(elastic.stretch.z < extrapolated_stretch))
     {
         return std::nullopt;
     }
-    const ElasticResponse continued = extrapolated_deviatoric(elastic, point.shear_modulus, point.bulk_modulus);
-    const double grown = tet.volume * growth_volume(point);
+    const material::ElasticResponse continued =
+        extrapolated_deviatoric(elastic, point.shear_modulus, point.bulk_modulus);
+    const double grown = tet.volume * material::growth_volume(point);
     const Mat3 P =
         grown * (continued.stress * e.inverse_G) + (0.25 * tet.nodal.pressure * tet.volume) * cofactor(tet.F);
     OneResponse out;
@@ -100,10 +102,10 @@ std::optional<OneResponse> extrapolate(const OneTet& tet)
     }
     squared_gradients += squared_norm(sum);
     out.energy = grown * (continued.deviatoric_energy + continued.volumetric_energy);
-    out.power = grown * (growth_power(point, tet.normal, e.F_e, continued) + nodal_power(point, tet.nodal));
+    out.power = grown * (material::growth_power(point, tet.normal, e.F_e, continued) + nodal_power(point, tet.nodal));
     // The tangent of the extrapolated law stays below about ten times that of the tissue at rest.
     constexpr double stiffening = 10.0;
-    out.stiffness = grown * stiffening * longitudinal_modulus(point) * squared_gradients;
+    out.stiffness = grown * stiffening * material::longitudinal_modulus(point) * squared_gradients;
     return out;
 }
 
@@ -112,7 +114,8 @@ CORTICLE_INLINE Vec3 vector_at(const WideVec3& v, int l)
     return {v.x[l], v.y[l], v.z[l]};
 }
 
-OneTet tet_in_lane(const TetBlock& block, const WideMat3& F, const WideTissue& tissue, const NodalSums& nodal, int l)
+OneTet tet_in_lane(const TetBlock& block, const WideMat3& F, const material::WideTissue& tissue, const NodalSums& nodal,
+                   int l)
 {
     OneTet tet;
     const auto& point = tissue.point;
@@ -130,8 +133,9 @@ OneTet tet_in_lane(const TetBlock& block, const WideMat3& F, const WideTissue& t
 }
 
 /// Extrapolates the tets of a block that are flat or inverted.
-void extrapolate_flat(const TetBlock& block, const WideMat3& F, const WideTissue& tissue, const NodalSums& nodal,
-                      const WideGroup& group, TetResponse& out, InternalResponse& sum)
+void extrapolate_flat(const TetBlock& block, const WideMat3& F, const material::WideTissue& tissue,
+                      const NodalSums& nodal, const WideGroup& group, TetResponse& out,
+                      mechanics::InternalResponse& sum)
 {
     for (int l = 0; l < group.count; ++l)
     {
@@ -172,7 +176,7 @@ CORTICLE_INLINE void scatter_forces(const TetBlock& block, const TetResponse& ou
 
 template <bool plain>
 CORTICLE_INLINE void sum_forces(const Chunk& chunk, const Vec3* x, const NodalPressure* node_values, Vec3* parts,
-                                InternalResponse& sum)
+                                mechanics::InternalResponse& sum)
 {
     Lanes local[most_nodes];
     Lanes local_values[most_nodes];
@@ -191,7 +195,7 @@ CORTICLE_INLINE void sum_forces(const Chunk& chunk, const Vec3* x, const NodalPr
         WideEdges edge;
         gather_edges(block, local, edge);
         const WideMat3 F = gradients(block, edge);
-        const WideTissue tissue = tissue_of<plain>(chunk, group, F);
+        const material::WideTissue tissue = tissue_of<plain>(chunk, group, F);
         const WideVec3 values = (gather_corner(block, local_values, 0) + gather_corner(block, local_values, 1)) +
                                 (gather_corner(block, local_values, 2) + gather_corner(block, local_values, 3));
         const NodalSums nodal{values.x, values.y, values.z};
@@ -233,15 +237,15 @@ CORTICLE_EVERY_ISA void general_volumes(const Chunk& chunk, const Vec3* x, Nodal
 }
 
 CORTICLE_EVERY_ISA void plain_forces(const Chunk& chunk, const Vec3* x, const NodalPressure* values, Vec3* parts,
-                                     InternalResponse& sum)
+                                     mechanics::InternalResponse& sum)
 {
     sum_forces<true>(chunk, x, values, parts, sum);
 }
 
 CORTICLE_EVERY_ISA void general_forces(const Chunk& chunk, const Vec3* x, const NodalPressure* values, Vec3* parts,
-                                       InternalResponse& sum)
+                                       mechanics::InternalResponse& sum)
 {
     sum_forces<false>(chunk, x, values, parts, sum);
 }
 
-} // namespace corticle
+} // namespace corticle::fem

@@ -11,7 +11,7 @@
 // The two sweeps over the tets of one chunk: volumes of its nodes, then forces on them. Each writes only its chunk's
 // part of a buffer.
 
-namespace corticle
+namespace corticle::fem
 {
 
 /// Volume of a node, or the part of it that one chunk of tets gives: sums of a quarter of the adjacent tets.
@@ -36,14 +36,14 @@ struct alignas(32) NodalPressure
 struct Chunk
 {
     const TetElements& elements;
-    const Tissue& tissue;
+    const material::Tissue& tissue;
     double t;
     std::int64_t begin, end;             ///< tets
     std::span<const std::int32_t> nodes; ///< that it touches
     std::int64_t first_part;             ///< where their parts start
 
     /// @param first, last  tets, parallel_block of them or the last ones
-    Chunk(const TetElements& all, const Tissue& of_tets, double now, std::int64_t first, std::int64_t last)
+    Chunk(const TetElements& all, const material::Tissue& of_tets, double now, std::int64_t first, std::int64_t last)
         : elements(all), tissue(of_tets), t(now), begin(first), end(last)
     {
         const std::int64_t c = first / parallel_block;
@@ -61,7 +61,9 @@ void general_volumes(const Chunk& chunk, const Vec3* x, NodalVolume* parts);
 /// Parts of the forces on the chunk's nodes, the lane with the stiffness of BlockResponse. Adds to `sum` what the tets
 /// give: deviatoric energy, growth power, counts, the smallest J.
 /// @param values  of all nodes
-void plain_forces(const Chunk& chunk, const Vec3* x, const NodalPressure* values, Vec3* parts, InternalResponse& sum);
-void general_forces(const Chunk& chunk, const Vec3* x, const NodalPressure* values, Vec3* parts, InternalResponse& sum);
+void plain_forces(const Chunk& chunk, const Vec3* x, const NodalPressure* values, Vec3* parts,
+                  mechanics::InternalResponse& sum);
+void general_forces(const Chunk& chunk, const Vec3* x, const NodalPressure* values, Vec3* parts,
+                    mechanics::InternalResponse& sum);
 
-} // namespace corticle
+} // namespace corticle::fem

@@ -10,7 +10,7 @@
 
 #include <limits>
 
-namespace corticle
+namespace corticle::fem
 {
 
 namespace
@@ -32,13 +32,13 @@ CORTICLE_INLINE Part joined(const TetElements& elements, std::int64_t node, cons
 
 } // namespace
 
-FemSolver::FemSolver(const TetElements& elements, const Tissue& tissue)
+FemSolver::FemSolver(const TetElements& elements, const material::Tissue& tissue)
     : elements_(elements), tissue_(tissue), volume_parts_(elements.chunk_node.size()),
       force_parts_(elements.chunk_node.size()), node_values_(elements.X.size())
 {
 }
 
-InternalResponse FemSolver::evaluate_volumes(std::span<const Vec3> x, double t)
+mechanics::InternalResponse FemSolver::evaluate_volumes(std::span<const Vec3> x, double t)
 {
     const auto sum_chunk = tissue_.grows_plainly() ? plain_volumes : general_volumes;
     parallel_blocks(std::ssize(elements_.tets),
@@ -48,12 +48,12 @@ InternalResponse FemSolver::evaluate_volumes(std::span<const Vec3> x, double t)
                         sum_chunk(chunk, x.data(), volume_parts_.data() + chunk.first_part);
                     });
     const double barrier_J = tissue_.options.barrier_J;
-    const NeoHookean law{barrier_J};
+    const material::NeoHookean law{barrier_J};
     return parallel_reduce(
-        std::ssize(x), InternalResponse{},
+        std::ssize(x), mechanics::InternalResponse{},
         [&](std::int64_t begin, std::int64_t end)
         {
-            InternalResponse sum;
+            mechanics::InternalResponse sum;
             for (std::int64_t i = begin; i < end; ++i)
             {
                 const NodalVolume volume = joined(elements_, i, volume_parts_.data());
@@ -71,30 +71,31 @@ InternalResponse FemSolver::evaluate_volumes(std::span<const Vec3> x, double t)
             }
             return sum;
         },
-        join);
+        mechanics::join);
 }
 
-InternalResponse FemSolver::evaluate(std::span<const Vec3> x, double t, std::span<Vec3> forces)
+mechanics::InternalResponse FemSolver::evaluate(std::span<const Vec3> x, double t, std::span<Vec3> forces)
 {
-    InternalResponse total = evaluate_volumes(x, t);
+    mechanics::InternalResponse total = evaluate_volumes(x, t);
     if (total.invalid_at >= 0)
     {
         return total;
     }
     const auto sum_chunk = tissue_.grows_plainly() ? plain_forces : general_forces;
-    InternalResponse initial;
+    mechanics::InternalResponse initial;
     initial.smallest_J = std::numeric_limits<double>::infinity();
     total.smallest_J = initial.smallest_J;
-    join(total, parallel_reduce(
-                    std::ssize(elements_.tets), initial,
-                    [&](std::int64_t begin, std::int64_t end)
-                    {
-                        const Chunk chunk(elements_, tissue_, t, begin, end);
-                        InternalResponse sum = initial;
-                        sum_chunk(chunk, x.data(), node_values_.data(), force_parts_.data() + chunk.first_part, sum);
-                        return sum;
-                    },
-                    join));
+    mechanics::join(total, parallel_reduce(
+                               std::ssize(elements_.tets), initial,
+                               [&](std::int64_t begin, std::int64_t end)
+                               {
+                                   const Chunk chunk(elements_, tissue_, t, begin, end);
+                                   mechanics::InternalResponse sum = initial;
+                                   sum_chunk(chunk, x.data(), node_values_.data(),
+                                             force_parts_.data() + chunk.first_part, sum);
+                                   return sum;
+                               },
+                               mechanics::join));
     // The square of the largest frequency is at most the largest mean, over the tets of a node and weighted with their
     // volume, of the largest of each tet, 4 stiffness / V. A rate of one spacing per step that is just stable is half
     // of the frequency.
@@ -158,12 +159,12 @@ std::string FemSolver::diagnosis(std::int64_t node, std::span<const Vec3> x) con
     }
     const Tet& corners = elements_.tets[worst];
     const std::span<const Tet> tet(&corners, 1);
-    return fmt::format("element {}: {}, corners {}, {}, {}, {}; volume of node {} now {:.4g} mm³, at rest {:.4g} mm³",
-                       worst,
-                       describe_point(centroids(x, tet)[0], centroids(elements_.X, tet)[0], tissue_.fields.depth[worst],
-                                      deformation_gradient(elements_, worst, x)),
-                       corners[0], corners[1], corners[2], corners[3], node,
-                       node_volumes({{x.begin(), x.end()}, elements_.tets})[node], elements_.node_volume[node]);
+    return fmt::format(
+        "element {}: {}, corners {}, {}, {}, {}; volume of node {} now {:.4g} mm³, at rest {:.4g} mm³", worst,
+        mechanics::describe_point(centroids(x, tet)[0], centroids(elements_.X, tet)[0], tissue_.fields.depth[worst],
+                                  deformation_gradient(elements_, worst, x)),
+        corners[0], corners[1], corners[2], corners[3], node,
+        node_volumes({{x.begin(), x.end()}, elements_.tets})[node], elements_.node_volume[node]);
 }
 
-} // namespace corticle
+} // namespace corticle::fem

@@ -3,7 +3,7 @@
 
 #include "corticle/mechanics/fem/passes.hpp"
 
-namespace corticle
+namespace corticle::fem
 {
 
 /// Linear tetrahedra with the volumetric energy on nodal averages of the volume ratio (Tallinen et al. 2016, in the
@@ -11,14 +11,14 @@ namespace corticle
 /// E = sum_e V J_g W_dev(F_e) + sum_n V_n K_n U(Ja_n), U(Ja) = (Ja - 1)²/2 and the barrier, with V_n the grown volume
 /// of the node, Ja_n its volume now over that, K_n the mean of its tets. Forces are the exact negative gradient of E.
 /// Flat and inverted elements survive: see extrapolation.hpp.
-class FemSolver final : public Discretization
+class FemSolver final : public mechanics::Discretization
 {
   public:
     /// Keeps references to the first and to what the tissue refers to: they must outlive the solver. @param tissue  of
     /// the tets, at their centroids
-    FemSolver(const TetElements& elements, const Tissue& tissue);
+    FemSolver(const TetElements& elements, const material::Tissue& tissue);
 
-    InternalResponse evaluate(std::span<const Vec3> x, double t, std::span<Vec3> forces) override;
+    mechanics::InternalResponse evaluate(std::span<const Vec3> x, double t, std::span<Vec3> forces) override;
 
     /// Mean of F over the adjacent tets, weighted with their volume.
     std::vector<Mat3> deformation_gradients(std::span<const Vec3> x) const override;
@@ -33,13 +33,13 @@ class FemSolver final : public Discretization
 
   private:
     /// Volumes and pressures of the nodes. @return energy, barrier_count and invalid_at
-    InternalResponse evaluate_volumes(std::span<const Vec3> x, double t);
+    mechanics::InternalResponse evaluate_volumes(std::span<const Vec3> x, double t);
 
     const TetElements& elements_;
-    Tissue tissue_;
+    material::Tissue tissue_;
     std::vector<NodalVolume> volume_parts_;  ///< per entry of chunk_node
     std::vector<Vec3> force_parts_;          ///< the same; the lane sums the stiffness
     std::vector<NodalPressure> node_values_; ///< per node
 };
 
-} // namespace corticle
+} // namespace corticle::fem

@@ -7,7 +7,7 @@
 #include <array>
 #include <limits>
 
-namespace corticle
+namespace corticle::thesis
 {
 
 namespace
@@ -19,7 +19,7 @@ using Entries = std::array<std::int64_t, NeighborGroups::size>;
 
 /// Walks the neighbour lists of a group side by side: visit(j, entries), where entries[lane] is the pair with j, or -1.
 template <class Visit>
-void merge_lists(const PairBlocks& pairs, std::int64_t group, Visit&& visit)
+void merge_lists(const tlsph::PairBlocks& pairs, std::int64_t group, Visit&& visit)
 {
     constexpr std::int64_t size = NeighborGroups::size;
     const std::int64_t particles = std::ssize(pairs.begin) - 1;
@@ -54,7 +54,7 @@ void merge_lists(const PairBlocks& pairs, std::int64_t group, Visit&& visit)
 
 } // namespace
 
-NeighborGroups group_neighbors(const PairBlocks& pairs)
+NeighborGroups group_neighbors(const tlsph::PairBlocks& pairs)
 {
     constexpr std::int64_t size = NeighborGroups::size;
     const std::int64_t count = (std::ssize(pairs.begin) - 1 + size - 1) / size;
@@ -85,4 +85,4 @@ NeighborGroups group_neighbors(const PairBlocks& pairs)
     return groups;
 }
 
-} // namespace corticle
+} // namespace corticle::thesis

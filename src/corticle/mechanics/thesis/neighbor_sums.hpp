@@ -11,7 +11,7 @@
 // other on the space-filling curve share most of theirs: a record is read once for all eight, and each of its numbers
 // is multiplied into eight lanes.
 
-namespace corticle
+namespace corticle::thesis
 {
 
 using FloatOctet = float __attribute__((vector_size(32)));
@@ -33,7 +33,7 @@ struct NeighborGroups
 };
 
 /// Groups the weighted pairs of particles.
-NeighborGroups group_neighbors(const PairBlocks& pairs);
+NeighborGroups group_neighbors(const tlsph::PairBlocks& pairs);
 
 /// What a particle adds to the sums of its neighbours: two cache lines.
 struct alignas(64) SumRecord
@@ -98,4 +98,4 @@ CORTICLE_INLINE void sum_records(const NeighborGroups& groups, std::int64_t grou
     }
 }
 
-} // namespace corticle
+} // namespace corticle::thesis

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-namespace corticle
+namespace corticle::thesis
 {
 
 /// Which equations of motion the particles follow.
@@ -45,4 +45,4 @@ struct ThesisOptions
     bool has_viscosity() const { return viscosity_alpha > 0.0 || viscosity_beta > 0.0; }
 };
 
-} // namespace corticle
+} // namespace corticle::thesis

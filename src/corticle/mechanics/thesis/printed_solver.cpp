@@ -8,7 +8,7 @@
 
 #include <limits>
 
-namespace corticle
+namespace corticle::thesis
 {
 
 namespace
@@ -16,8 +16,8 @@ namespace
 
 struct PassInput
 {
-    const Particles& particles;
-    const Tissue& tissue;
+    const tlsph::Particles& particles;
+    const material::Tissue& tissue;
     const ThesisOptions& options;
     const NeighborGroups& groups;
     Vec3 origin;
@@ -34,14 +34,14 @@ struct PassOutput
 };
 
 /// C_i, with which the sum of w_ij x_ij X_ij^T becomes F_i.
-CORTICLE_INLINE Mat3 gradient_matrix(const Particles& particles, KernelGradient gradient, std::int64_t i)
+CORTICLE_INLINE Mat3 gradient_matrix(const tlsph::Particles& particles, KernelGradient gradient, std::int64_t i)
 {
     return gradient == KernelGradient::corrected ? particles.correction[i]
                                                  : (1.0 / particles.volume[i]) * Mat3::identity();
 }
 
 /// F_i from sum_j w_ij x_ij X_ij^T.
-CORTICLE_INLINE Mat3 deformation_gradient(const Particles& particles, KernelGradient gradient, std::int64_t i,
+CORTICLE_INLINE Mat3 deformation_gradient(const tlsph::Particles& particles, KernelGradient gradient, std::int64_t i,
                                           const Mat3& moment, const Mat3& C)
 {
     return gradient == KernelGradient::displacement ? Mat3::identity() + (moment - inverse(particles.correction[i])) * C
@@ -56,9 +56,9 @@ CORTICLE_INLINE Mat3 moment_of(const NeighborSum& sum, const Vec3& x_i, const Ve
 
 /// Stress, energies and the record of particle i; its own part of its force.
 CORTICLE_INLINE void respond(const PassInput& in, std::int64_t i, const NeighborSum& sum, const PassOutput& out,
-                             InternalResponse& total)
+                             mechanics::InternalResponse& total)
 {
-    const Particles& particles = in.particles;
+    const tlsph::Particles& particles = in.particles;
     const Vec3 x_i = in.x[i] - in.origin;
     const Vec3 X_i = particles.X[i] - in.origin;
     const Vec3 b_i = particles.weighted_sum[i];
@@ -79,13 +79,13 @@ CORTICLE_INLINE void respond(const PassInput& in, std::int64_t i, const Neighbor
         return;
     }
 
-    const MaterialPoint point = in.tissue.point(i, in.t);
-    const NeoHookean law{in.tissue.options.barrier_J};
+    const material::MaterialPoint point = in.tissue.point(i, in.t);
+    const material::NeoHookean law{in.tissue.options.barrier_J};
     const Vec3 n = in.tissue.growth_normal(i, F);
-    const Response grown =
-        in.options.growth == GrowthEntry::multiplied ? respond_multiplied(law, point, n, F) : respond(law, point, n, F);
+    const material::Response grown = in.options.growth == GrowthEntry::multiplied ? respond_multiplied(law, point, n, F)
+                                                                                  : material::respond(law, point, n, F);
     const double grown_volume = volume * grown.growth_volume;
-    const double zeta = control_stiffness(particles.options.zeta, point);
+    const double zeta = tlsph::control_stiffness(particles.options.zeta, point);
     const Mat3 best_F = moment * particles.correction[i];
     const Vec3 summed_x = sum.vector - b_i.lane * x_i;
     const double squares =
@@ -93,8 +93,8 @@ CORTICLE_INLINE void respond(const PassInput& in, std::int64_t i, const Neighbor
 
     total.elastic_energy += grown_volume * grown.energy;
     total.zero_mode_energy += 0.5 * zeta * squares;
-    total.growth_power += grown_volume * grown.power + 0.5 * zeta * squares * control_stiffening(point);
-    total.stiffest_rate = std::max(total.stiffest_rate, grown.wave_speed * largest_compression(cofactor_F, J));
+    total.growth_power += grown_volume * grown.power + 0.5 * zeta * squares * tlsph::control_stiffening(point);
+    total.stiffest_rate = std::max(total.stiffest_rate, grown.wave_speed * tlsph::largest_compression(cofactor_F, J));
     total.barrier_count += grown.J_e < law.barrier_J ? 1 : 0;
 
     Mat3 M = (-zeta) * best_F;
@@ -123,7 +123,7 @@ CORTICLE_INLINE void respond(const PassInput& in, std::int64_t i, const Neighbor
 }
 
 CORTICLE_EVERY_ISA void deformation_block(const PassInput& in, std::int64_t begin, std::int64_t end,
-                                          const PassOutput& out, InternalResponse& total)
+                                          const PassOutput& out, mechanics::InternalResponse& total)
 {
     constexpr std::int64_t size = NeighborGroups::size;
     for (std::int64_t first = begin; first < end; first += size)
@@ -160,12 +160,12 @@ CORTICLE_EVERY_ISA void sum_block(const NeighborGroups& groups, std::int64_t gro
     sum_records(groups, group, records, sum);
 }
 
-std::vector<double> wave_speeds(const Tissue& tissue)
+std::vector<double> wave_speeds(const material::Tissue& tissue)
 {
     std::vector<double> speeds(tissue.state.theta.size());
     for (std::size_t i = 0; i < speeds.size(); ++i)
     {
-        speeds[i] = std::sqrt(longitudinal_modulus(tissue.point(i, 0.0)));
+        speeds[i] = std::sqrt(material::longitudinal_modulus(tissue.point(i, 0.0)));
     }
     return speeds;
 }
@@ -182,7 +182,8 @@ Vec3 mean_position(std::span<const Vec3> X)
 
 } // namespace
 
-PrintedSolver::PrintedSolver(const Particles& particles, const Tissue& tissue, const ThesisOptions& options)
+PrintedSolver::PrintedSolver(const tlsph::Particles& particles, const material::Tissue& tissue,
+                             const ThesisOptions& options)
     : particles_(particles), tissue_(tissue), options_(options), origin_(mean_position(particles.X)),
       groups_(group_neighbors(particles.pairs)), positions_(particles.X.size()), stresses_(particles.X.size())
 {
@@ -192,7 +193,8 @@ PrintedSolver::PrintedSolver(const Particles& particles, const Tissue& tissue, c
     }
     if (options.has_viscosity())
     {
-        viscosity_.emplace(options, wave_speeds(tissue), support_mm(particles.options, particles.spacing), origin_);
+        viscosity_.emplace(options, wave_speeds(tissue), tlsph::support_mm(particles.options, particles.spacing),
+                           origin_);
     }
 }
 
@@ -206,22 +208,22 @@ void PrintedSolver::fill_positions(std::span<const Vec3> x, std::vector<SumRecor
                  });
 }
 
-InternalResponse PrintedSolver::evaluate(std::span<const Vec3> x, double t, std::span<Vec3> forces)
+mechanics::InternalResponse PrintedSolver::evaluate(std::span<const Vec3> x, double t, std::span<Vec3> forces)
 {
     fill_positions(x, positions_);
     const PassInput in{particles_, tissue_, options_, groups_, origin_, positions_.data(), x.data(), t};
     const PassOutput out{stresses_.data(), stress_.empty() ? nullptr : stress_.data(), forces.data()};
-    InternalResponse initial;
+    mechanics::InternalResponse initial;
     initial.smallest_J = std::numeric_limits<double>::infinity();
-    InternalResponse total = parallel_reduce(
+    mechanics::InternalResponse total = parallel_reduce(
         std::ssize(x), initial,
         [&](std::int64_t begin, std::int64_t end)
         {
-            InternalResponse part = initial;
+            mechanics::InternalResponse part = initial;
             deformation_block(in, begin, end, out, part);
             return part;
         },
-        join);
+        mechanics::join);
     if (total.invalid_at >= 0)
     {
         return total;
@@ -302,7 +304,7 @@ std::vector<Mat3> PrintedSolver::deformation_gradients(std::span<const Vec3> x) 
 
 std::string PrintedSolver::diagnosis(std::int64_t node, std::span<const Vec3> x) const
 {
-    return describe_particle(particles_, tissue_, node, x[node], deformation_gradients(x)[node]);
+    return tlsph::describe_particle(particles_, tissue_, node, x[node], deformation_gradients(x)[node]);
 }
 
-} // namespace corticle
+} // namespace corticle::thesis

@@ -8,21 +8,21 @@
 
 #include <optional>
 
-namespace corticle
+namespace corticle::thesis
 {
 
 /// The thesis's total-Lagrangian equations as printed, each of which ThesisOptions can put right; with all put right
 /// the forces are those of TlsphSolver. As printed they are: F_i = (1/V_i) sum_j w_ij x_ij X_ij^T (eq. 10), stress
 /// P(F_i G_i) (eqs. 22 and 23), f_i = sum_j w_ij (P_j - P_i - Pi_ij) X_ij (eq. 9 times the mass of the particle,
 /// viscosity of eq. 7). Made for hundreds of neighbours each.
-class PrintedSolver final : public Discretization
+class PrintedSolver final : public mechanics::Discretization
 {
   public:
     /// Keeps references to the first and to what the tissue refers to: they must outlive the solver.
-    PrintedSolver(const Particles& particles, const Tissue& tissue, const ThesisOptions& options);
+    PrintedSolver(const tlsph::Particles& particles, const material::Tissue& tissue, const ThesisOptions& options);
 
     /// As printed the forces are the gradient of no energy; elastic_energy is then that of the stress.
-    InternalResponse evaluate(std::span<const Vec3> x, double t, std::span<Vec3> forces) override;
+    mechanics::InternalResponse evaluate(std::span<const Vec3> x, double t, std::span<Vec3> forces) override;
 
     double add_viscous_forces(std::span<const Vec3> x, std::span<const Vec3> v, std::span<Vec3> forces) override;
 
@@ -35,8 +35,8 @@ class PrintedSolver final : public Discretization
     void fill_positions(std::span<const Vec3> x, std::vector<SumRecord>& records) const;
     void add_corrected_differences(std::span<Vec3> forces);
 
-    const Particles& particles_;
-    Tissue tissue_;
+    const tlsph::Particles& particles_;
+    material::Tissue tissue_;
     ThesisOptions options_;
     Vec3 origin_; ///< amid the body; records hold positions from here [mm]
     NeighborGroups groups_;
@@ -46,4 +46,4 @@ class PrintedSolver final : public Discretization
     std::optional<ArtificialViscosity> viscosity_;
 };
 
-} // namespace corticle
+} // namespace corticle::thesis

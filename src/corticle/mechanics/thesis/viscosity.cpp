@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace corticle
+namespace corticle::thesis
 {
 
 ArtificialViscosity::ArtificialViscosity(const ThesisOptions& options, std::span<const double> wave_speeds, double h,
@@ -101,4 +101,4 @@ double ArtificialViscosity::add_forces(const NeighborGroups& groups, std::span<c
         [](double& total, double part) { total += part; });
 }
 
-} // namespace corticle
+} // namespace corticle::thesis

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace corticle
+namespace corticle::thesis
 {
 
 /// Artificial viscosity between particles that approach each other (thesis eq. 7), as eq. 9 takes it in:
@@ -43,4 +43,4 @@ class ArtificialViscosity
     std::vector<Record> records_;
 };
 
-} // namespace corticle
+} // namespace corticle::thesis

@@ -11,7 +11,7 @@
 
 // How the passes over a block of particles read positions and sum over pairs.
 
-namespace corticle
+namespace corticle::tlsph
 {
 
 /// A block of particles: its place in the pairs, and the origin of its primed positions.
@@ -85,4 +85,4 @@ CORTICLE_INLINE DeformationSums<WideLanes> sum_deformation(const Block& block, c
                             gather(group, block.particles.weighted_sum.data()));
 }
 
-} // namespace corticle
+} // namespace corticle::tlsph

@@ -13,13 +13,13 @@
 // The first of the two passes: it reads positions and tissue, applies the law of the material and writes what the
 // second pass, the sum of forces, reads.
 
-namespace corticle
+namespace corticle::tlsph
 {
 
 /// What a pass over a block reads.
 struct PassInput
 {
-    const Tissue& tissue;
+    const material::Tissue& tissue;
     double t;
     const Vec3* x;
 };
@@ -42,7 +42,7 @@ class DeformationPass
 
     /// @param terms  scratch memory   @param total  what the block finds is added to it
     virtual void run(const Block& block, const PassInput& in, std::vector<PairTerms>& terms, const PassOutput& out,
-                     InternalResponse& total) const = 0;
+                     mechanics::InternalResponse& total) const = 0;
 };
 
 /// What a block of particles adds up, lane by lane.
@@ -56,7 +56,7 @@ struct LaneSums
 };
 
 /// Notes the smallest J, and the first particle whose J no body can have: not positive, or not finite.
-CORTICLE_INLINE void note_volumes(const WideGroup& group, WideLanes J, InternalResponse& total)
+CORTICLE_INLINE void note_volumes(const WideGroup& group, WideLanes J, mechanics::InternalResponse& total)
 {
     for_lanes(J < total.smallest_J,
               [&](int lane)
@@ -75,7 +75,7 @@ CORTICLE_INLINE void note_volumes(const WideGroup& group, WideLanes J, InternalR
 template <bool plain, class Law>
 CORTICLE_INLINE void respond_in_lanes(const Law& law, const Block& block, const PassInput& in, const WideGroup& group,
                                       const std::vector<PairTerms>& terms, const PassOutput& out, LaneSums& sum,
-                                      InternalResponse& total)
+                                      mechanics::InternalResponse& total)
 {
     const Particles& particles = block.particles;
     const DeformationSums<WideLanes> sums = sum_deformation(block, in.x, group, terms);
@@ -86,8 +86,8 @@ CORTICLE_INLINE void respond_in_lanes(const Law& law, const Block& block, const 
     const ParticleDeformation<WideLanes> deformation = particle_deformation(sums, reference.correction);
     note_volumes(group, deformation.J, total);
 
-    const WideTissue tissue =
-        plain ? plain_tissue(in.tissue, in.t, group) : any_tissue(in.tissue, in.t, group, deformation.F);
+    const material::WideTissue tissue = plain ? material::plain_tissue(in.tissue, in.t, group)
+                                              : material::any_tissue(in.tissue, in.t, group, deformation.F);
     const ParticleResponse<WideLanes> particle =
         particle_response<plain>(law, tissue.point, tissue.normal, reference, sums, deformation);
     sum.elastic_energy += group.counted(particle.elastic_energy);
@@ -110,7 +110,7 @@ CORTICLE_INLINE void respond_in_lanes(const Law& law, const Block& block, const 
 /// `plain`: growth is that of Tissue::grows_plainly.
 template <bool plain, class Law>
 CORTICLE_EVERY_ISA void deform(const Law& law, const Block& block, const PassInput& in, std::vector<PairTerms>& terms,
-                               const PassOutput& out, InternalResponse& total)
+                               const PassOutput& out, mechanics::InternalResponse& total)
 {
     fill_deformation_terms(block, in.x, terms);
     LaneSums sum;
@@ -127,14 +127,14 @@ CORTICLE_EVERY_ISA void deform(const Law& law, const Block& block, const PassInp
 }
 
 /// The pass with one law, compiled for it.
-template <Material<WideLanes> Law>
+template <material::Material<WideLanes> Law>
 class LawPass final : public DeformationPass
 {
   public:
     explicit LawPass(const Law& law) : law_(law) {}
 
     void run(const Block& block, const PassInput& in, std::vector<PairTerms>& terms, const PassOutput& out,
-             InternalResponse& total) const override
+             mechanics::InternalResponse& total) const override
     {
         in.tissue.grows_plainly() ? deform<true>(law_, block, in, terms, out, total)
                                   : deform<false>(law_, block, in, terms, out, total);
@@ -145,10 +145,10 @@ class LawPass final : public DeformationPass
 };
 
 /// All that a material needs to be simulated: hand the result to TlsphSolver.
-template <Material<WideLanes> Law>
+template <material::Material<WideLanes> Law>
 std::unique_ptr<const DeformationPass> deformation_pass(const Law& law)
 {
     return std::make_unique<LawPass<Law>>(law);
 }
 
-} // namespace corticle
+} // namespace corticle::tlsph

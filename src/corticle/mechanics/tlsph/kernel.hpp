@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-namespace corticle
+namespace corticle::tlsph
 {
 
 /// omega(r) = -W'(r) / r >= 0 [mm^-5]: 210 / (pi s^5) (1 - r/s)³, with the Wendland C2 kernel in three dimensions
@@ -21,4 +21,4 @@ inline double pair_weight(double distance, double support)
     return 210.0 / (std::numbers::pi * s2 * s2 * support) * p * p * p;
 }
 
-} // namespace corticle
+} // namespace corticle::tlsph

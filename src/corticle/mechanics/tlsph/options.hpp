@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-namespace corticle
+namespace corticle::tlsph
 {
 
 struct TlsphOptions
@@ -17,4 +17,4 @@ inline double support_mm(const TlsphOptions& options, double spacing)
     return options.kernel_mm > 0.0 ? options.kernel_mm : options.support * spacing;
 }
 
-} // namespace corticle
+} // namespace corticle::tlsph

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace corticle
+namespace corticle::tlsph
 {
 
 namespace
@@ -76,4 +76,4 @@ PairBlocks make_pair_blocks(const Neighbors& neighbors)
     return pairs;
 }
 
-} // namespace corticle
+} // namespace corticle::tlsph

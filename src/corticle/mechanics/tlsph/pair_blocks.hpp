@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace corticle
+namespace corticle::tlsph
 {
 
 /// Weighted pairs of a cloud, cut into blocks of consecutive particles. Every block has a table: the particles that its
@@ -40,4 +40,4 @@ struct PairBlocks
 /// Cuts into blocks of 1024 particles, or of fewer where a table would not be addressed by 2 bytes. Weights are zero.
 PairBlocks make_pair_blocks(const Neighbors& neighbors);
 
-} // namespace corticle
+} // namespace corticle::tlsph

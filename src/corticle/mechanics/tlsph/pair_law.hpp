@@ -10,7 +10,7 @@
 // left, sum_j w_ij (thirteen numbers of j), needs no arithmetic on pairs but the multiplication with the weight. A
 // prime marks positions relative to an origin close by (that of the block), so that no digits are lost.
 
-namespace corticle
+namespace corticle::tlsph
 {
 
 /// What one neighbour contributes, or a sum of such: two SIMD registers of eight doubles.
@@ -71,4 +71,4 @@ CORTICLE_INLINE Vec3 neighbors_force(const PairTerms& sum, const Vec3& X, const 
     return sum.vector - sum.matrix * X - sum.vector.lane * x;
 }
 
-} // namespace corticle
+} // namespace corticle::tlsph

@@ -7,7 +7,7 @@
 
 // The innermost loop of the program.
 
-namespace corticle
+namespace corticle::tlsph
 {
 
 /// Doubles in memory, as many as a register holds. Compilers keep wider vectors that go from one round of a loop to the
@@ -104,4 +104,4 @@ CORTICLE_INLINE void sum_terms(const PairBlocks& pairs, std::int64_t i, const Pa
     }
 }
 
-} // namespace corticle
+} // namespace corticle::tlsph

@@ -7,7 +7,7 @@
 // What one particle makes of the sums over its neighbours: deformation, stress, energies, zero-energy control and its
 // part of the forces. Neither threads nor arrays are known here. Symbols as in docs/theory/tlsph.md.
 
-namespace corticle
+namespace corticle::tlsph
 {
 
 /// An upper bound of 1 / (smallest singular value of F): sqrt of the bound m + sqrt(2) s of the largest eigenvalue
@@ -25,15 +25,16 @@ CORTICLE_INLINE Real largest_compression(const BasicMat3<Real>& cofactor_F, cons
 
 /// zeta_i of the zero-energy control [mu_w]: it stiffens with growth as the tissue does.
 template <bool plain = false, RealLike Real>
-CORTICLE_INLINE Real control_stiffness(double zeta, const BasicMaterialPoint<Real>& point)
+CORTICLE_INLINE Real control_stiffness(double zeta, const material::BasicMaterialPoint<Real>& point)
 {
-    const Real ratio = stiffening_ratio<plain>(point);
-    return static_cast<ScalarOf<Real>>(zeta) * point.shear_modulus * ratio * ratio * normal_growth<plain>(point);
+    const Real ratio = material::stiffening_ratio<plain>(point);
+    return static_cast<ScalarOf<Real>>(zeta) * point.shear_modulus * ratio * ratio *
+           material::normal_growth<plain>(point);
 }
 
 /// dzeta_i/dt / zeta_i, per unit of growth time.
 template <bool plain = false, RealLike Real>
-CORTICLE_INLINE Real control_stiffening(const BasicMaterialPoint<Real>& point)
+CORTICLE_INLINE Real control_stiffening(const material::BasicMaterialPoint<Real>& point)
 {
     constexpr ScalarOf<Real> two(2.0);
     const Real tangential = point.growth_rate / point.growth;
@@ -95,14 +96,14 @@ struct ParticleResponse
 };
 
 /// @param normal  n, that growth is tangential to   @param sums  over the neighbours   @param deformation  made of them
-template <bool plain, RealLike Real, Material<Real> Law>
+template <bool plain, RealLike Real, material::Material<Real> Law>
 CORTICLE_INLINE ParticleResponse<Real>
-particle_response(const Law& law, const BasicMaterialPoint<Real>& point, const BasicVec3<Real>& normal,
+particle_response(const Law& law, const material::BasicMaterialPoint<Real>& point, const BasicVec3<Real>& normal,
                   const ParticleReference<Real>& reference, const DeformationSums<Real>& sums,
                   const ParticleDeformation<Real>& deformation)
 {
     const BasicMat3<Real>& F = deformation.F;
-    const BasicResponse<Real> grown = respond<plain>(law, point, normal, F);
+    const material::BasicResponse<Real> grown = material::respond<plain>(law, point, normal, F);
     const Real volume = reference.volume * grown.growth_volume;
     const Real zeta = control_stiffness<plain>(reference.zeta, point);
     const Real zero_mode = ScalarOf<Real>(0.5) * zeta * (sums.squared_lengths - contract(sums.moment, F));
@@ -117,4 +118,4 @@ particle_response(const Law& law, const BasicMaterialPoint<Real>& point, const B
             M * reference.weighted_sum + zeta * sums.weighted_sum};
 }
 
-} // namespace corticle
+} // namespace corticle::tlsph

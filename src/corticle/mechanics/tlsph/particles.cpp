@@ -10,7 +10,7 @@
 
 #include <limits>
 
-namespace corticle
+namespace corticle::tlsph
 {
 
 namespace
@@ -89,4 +89,4 @@ Particles make_particles(const Cloud& cloud, const Neighbors& neighbors, const T
     return particles;
 }
 
-} // namespace corticle
+} // namespace corticle::tlsph

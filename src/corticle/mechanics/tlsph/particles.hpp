@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace corticle
+namespace corticle::tlsph
 {
 
 /// The meshless discretisation of a cloud in the reference configuration: pairs, weights and gradient corrections.
@@ -36,4 +36,4 @@ Particles make_particles(const Cloud& cloud, const Neighbors& neighbors, const T
 /// Ratio of the largest to the smallest eigenvalue of a symmetric positive matrix; infinite when it is not positive.
 double condition_number(const Mat3& symmetric);
 
-} // namespace corticle
+} // namespace corticle::tlsph

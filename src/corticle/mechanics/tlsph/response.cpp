@@ -3,14 +3,15 @@
 
 #include <fmt/format.h>
 
-namespace corticle
+namespace corticle::tlsph
 {
 
-std::string describe_particle(const Particles& particles, const Tissue& tissue, std::int64_t i, const Vec3& x,
+std::string describe_particle(const Particles& particles, const material::Tissue& tissue, std::int64_t i, const Vec3& x,
                               const Mat3& F)
 {
     return fmt::format("particle {}: {}, {} neighbours", i,
-                       describe_point(x, particles.X[i], tissue.fields.depth[i], F), particles.pairs.size(i));
+                       mechanics::describe_point(x, particles.X[i], tissue.fields.depth[i], F),
+                       particles.pairs.size(i));
 }
 
-} // namespace corticle
+} // namespace corticle::tlsph

@@ -7,12 +7,12 @@
 
 #include <string>
 
-namespace corticle
+namespace corticle::tlsph
 {
 
 /// "particle 12: position ..., J = ..., 57 neighbours"
 /// @param x  its position [mm]   @param F  its deformation gradient
-std::string describe_particle(const Particles& particles, const Tissue& tissue, std::int64_t i, const Vec3& x,
+std::string describe_particle(const Particles& particles, const material::Tissue& tissue, std::int64_t i, const Vec3& x,
                               const Mat3& F);
 
-} // namespace corticle
+} // namespace corticle::tlsph

@@ -7,7 +7,7 @@
 
 #include <limits>
 
-namespace corticle
+namespace corticle::tlsph
 {
 
 namespace
@@ -48,12 +48,12 @@ CORTICLE_EVERY_ISA void gradient_block(const Block& block, const Vec3* x, std::v
 
 } // namespace
 
-TlsphSolver::TlsphSolver(const Particles& particles, const Tissue& tissue)
-    : TlsphSolver(particles, tissue, deformation_pass(NeoHookean{tissue.options.barrier_J}))
+TlsphSolver::TlsphSolver(const Particles& particles, const material::Tissue& tissue)
+    : TlsphSolver(particles, tissue, deformation_pass(material::NeoHookean{tissue.options.barrier_J}))
 {
 }
 
-TlsphSolver::TlsphSolver(const Particles& particles, const Tissue& tissue,
+TlsphSolver::TlsphSolver(const Particles& particles, const material::Tissue& tissue,
                          std::unique_ptr<const DeformationPass> deformation)
     : particles_(particles), tissue_(tissue), deformation_(std::move(deformation)), records_(particles.X.size())
 {
@@ -61,24 +61,24 @@ TlsphSolver::TlsphSolver(const Particles& particles, const Tissue& tissue,
 
 TlsphSolver::~TlsphSolver() = default;
 
-InternalResponse TlsphSolver::evaluate(std::span<const Vec3> x, double t, std::span<Vec3> forces)
+mechanics::InternalResponse TlsphSolver::evaluate(std::span<const Vec3> x, double t, std::span<Vec3> forces)
 {
     const PassInput in{tissue_, t, x.data()};
     const PassOutput out{records_.data(), forces.data()};
-    InternalResponse initial;
+    mechanics::InternalResponse initial;
     initial.smallest_J = std::numeric_limits<double>::infinity();
     const std::int64_t count = std::ssize(x);
     terms_.fit();
-    InternalResponse total = parallel_reduce(
+    mechanics::InternalResponse total = parallel_reduce(
         count, initial,
         [&](std::int64_t begin, std::int64_t end)
         {
-            InternalResponse part = initial;
+            mechanics::InternalResponse part = initial;
             const Block block = block_of(particles_, x, begin, end);
             deformation_->run(block, in, terms_.local(), out, part);
             return part;
         },
-        join, particles_.pairs.block_size);
+        mechanics::join, particles_.pairs.block_size);
     if (total.invalid_at < 0)
     {
         parallel_blocks(
@@ -120,4 +120,4 @@ std::string TlsphSolver::diagnosis(std::int64_t node, std::span<const Vec3> x) c
     return describe_particle(particles_, tissue_, node, x[node], deformation_gradients(x)[node]);
 }
 
-} // namespace corticle
+} // namespace corticle::tlsph

@@ -9,24 +9,25 @@
 
 #include <memory>
 
-namespace corticle
+namespace corticle::tlsph
 {
 
 class DeformationPass;
 
 /// Total-Lagrangian SPH: internal forces of the particles for given positions and growth time.
 /// Particles are nodes and material points at once.
-class TlsphSolver final : public Discretization
+class TlsphSolver final : public mechanics::Discretization
 {
   public:
     /// Keeps references to the first and to what the tissue refers to: they must outlive the solver. The law is
     /// neo-Hookean.
-    TlsphSolver(const Particles& particles, const Tissue& tissue);
+    TlsphSolver(const Particles& particles, const material::Tissue& tissue);
     /// With another law: see deformation_pass.hpp.
-    TlsphSolver(const Particles& particles, const Tissue& tissue, std::unique_ptr<const DeformationPass> deformation);
+    TlsphSolver(const Particles& particles, const material::Tissue& tissue,
+                std::unique_ptr<const DeformationPass> deformation);
     ~TlsphSolver() override;
 
-    InternalResponse evaluate(std::span<const Vec3> x, double t, std::span<Vec3> forces) override;
+    mechanics::InternalResponse evaluate(std::span<const Vec3> x, double t, std::span<Vec3> forces) override;
 
     std::vector<Mat3> deformation_gradients(std::span<const Vec3> x) const override;
 
@@ -34,10 +35,10 @@ class TlsphSolver final : public Discretization
 
   private:
     const Particles& particles_;
-    Tissue tissue_;
+    material::Tissue tissue_;
     std::unique_ptr<const DeformationPass> deformation_;
     LargeVector<ForceRecord> records_;
     PerThread<std::vector<PairTerms>> terms_; ///< of the block at hand
 };
 
-} // namespace corticle
+} // namespace corticle::tlsph

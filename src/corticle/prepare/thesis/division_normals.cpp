@@ -11,7 +11,7 @@
 #include <limits>
 #include <numbers>
 
-namespace corticle
+namespace corticle::prepare
 {
 
 namespace
@@ -107,4 +107,4 @@ std::vector<Vec3> division_normals(std::span<const Vec3> positions, const Normal
     return normals;
 }
 
-} // namespace corticle
+} // namespace corticle::prepare

@@ -3,7 +3,7 @@
 
 #include "corticle/mesh/triangle_mesh.hpp"
 
-namespace corticle
+namespace corticle::prepare
 {
 
 /// Lines along the normals of a surface's triangles: a point of each and its direction.
@@ -31,4 +31,4 @@ std::int32_t division_of(const Vec3& point, std::int32_t divisions, const Vec3& 
 std::vector<Vec3> division_normals(std::span<const Vec3> positions, const NormalLines& lines, std::int32_t divisions,
                                    const Vec3& centre);
 
-} // namespace corticle
+} // namespace corticle::prepare

@@ -9,7 +9,7 @@
 
 #include <numeric>
 
-namespace corticle
+namespace corticle::prepare
 {
 
 namespace
@@ -83,7 +83,7 @@ std::vector<double> ellipsoid_layer(std::span<const Vec3> positions, std::span<c
     }
     // The white matter is the ellipsoid shrunk by sqrt(lambda).
     const double total = std::accumulate(volume.begin(), volume.end(), 0.0);
-    return sharp_layer(inside, volume, (1.0 - std::pow(lambda, 1.5)) * total);
+    return material::sharp_layer(inside, volume, (1.0 - std::pow(lambda, 1.5)) * total);
 }
 
-} // namespace corticle
+} // namespace corticle::prepare

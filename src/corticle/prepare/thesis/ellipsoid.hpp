@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace corticle
+namespace corticle::prepare
 {
 
 // The layer of thesis section 2.4.1.
@@ -36,4 +36,4 @@ std::vector<double> ellipsoid_layer_by_centres(std::span<const Vec3> positions, 
 std::vector<double> ellipsoid_layer(std::span<const Vec3> positions, std::span<const double> volume,
                                     const std::array<double, 3>& semi_axes, double lambda, const Vec3& centre = {});
 
-} // namespace corticle
+} // namespace corticle::prepare

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace corticle
+namespace corticle::prepare
 {
 
 namespace
@@ -61,4 +61,4 @@ std::vector<double> neighbor_count_volumes(std::span<const Vec3> positions, doub
     return volumes;
 }
 
-} // namespace corticle
+} // namespace corticle::prepare

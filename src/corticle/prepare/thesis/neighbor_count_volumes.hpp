@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace corticle
+namespace corticle::prepare
 {
 
 /// Volumes by neighbour counts (thesis eqs. 25-26): V_i = k / N_i, N_i the number of other particles within `radius` of
@@ -18,4 +18,4 @@ namespace corticle
 /// @throws InputError when the radius or the volume is not positive, or a particle has no neighbour
 std::vector<double> neighbor_count_volumes(std::span<const Vec3> positions, double radius, double total_volume);
 
-} // namespace corticle
+} // namespace corticle::prepare

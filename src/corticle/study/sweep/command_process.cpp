@@ -18,7 +18,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace corticle
+namespace corticle::sweep
 {
 
 namespace
@@ -41,7 +41,7 @@ constexpr int unknown_status = 255; ///< somebody else has waited for the proces
     dup2(nothing, STDIN_FILENO);
     dup2(output, STDOUT_FILENO);
     dup2(output, STDERR_FILENO);
-    reset_interrupting_signals();
+    study::reset_interrupting_signals();
     sigprocmask(SIG_SETMASK, &signals, nullptr);
     execv(words[0], words);
     _exit(not_started);
@@ -138,4 +138,4 @@ void CommandProcess::terminate() const
     }
 }
 
-} // namespace corticle
+} // namespace corticle::sweep

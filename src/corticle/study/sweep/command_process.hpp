@@ -9,7 +9,7 @@
 
 #include <sys/types.h>
 
-namespace corticle
+namespace corticle::sweep
 {
 
 /// A command that runs beside this process, in a process group of its own, so that Ctrl-C reaches only this process.
@@ -36,4 +36,4 @@ class CommandProcess
     int output_ = -1;
 };
 
-} // namespace corticle
+} // namespace corticle::sweep

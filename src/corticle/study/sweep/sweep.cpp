@@ -17,7 +17,7 @@
 #include <algorithm>
 #include <set>
 
-namespace corticle
+namespace corticle::sweep
 {
 
 namespace
@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 /// A run folder of its own may not become a sweep.
 void require_no_run(const fs::path& out)
 {
-    if (is_run_folder(out))
+    if (record::is_run_folder(out))
     {
         throw InputError(fmt::format("--out {}: holds a run; expected another folder for the sweep", out.string()));
     }
@@ -107,9 +107,11 @@ void warn_of_unreached_times(const SweepTable& table)
 {
     const auto warn = [&](const std::string& what, double t)
     {
-        const auto beyond = std::ranges::count_if(
-            table.runs, [&](const SweepRun& run)
-            { return t < run.options.time.start - same_output_time || t > run.options.time.end + same_output_time; });
+        const auto beyond = std::ranges::count_if(table.runs,
+                                                  [&](const SweepRun& run) {
+                                                      return t < run.options.time.start - model::same_output_time ||
+                                                             t > run.options.time.end + model::same_output_time;
+                                                  });
         if (beyond > 0)
         {
             fmt::print(stderr, "corticle: warning: {}: t = {:g} lies outside {} of {} runs, whose cells stay empty\n",
@@ -140,7 +142,7 @@ std::vector<SweepJob> prepare_jobs(const SweepTable& table, const SweepRequest& 
         {
             continue;
         }
-        write_text_atomically(case_file, run.case_text);
+        formats::write_text_atomically(case_file, run.case_text);
         if (is_to_do && is_chosen[row.run] && !request.cases_only)
         {
             jobs.push_back({case_file, table.out / row.folder, relative_cost(run.options), run.options.time.start,
@@ -150,14 +152,14 @@ std::vector<SweepJob> prepare_jobs(const SweepTable& table, const SweepRequest& 
     return jobs;
 }
 
-void write_tables(const SweepTable& table, const Pictures& pictures)
+void write_tables(const SweepTable& table, const study::Pictures& pictures)
 {
-    write_text_atomically(table.out / "sweep.csv", sweep_csv(table));
-    write_text_atomically(table.out / "sweep.json", sweep_json(table, pictures));
-    write_text_atomically(table.out / "sweep.md", sweep_markdown(table, pictures));
+    formats::write_text_atomically(table.out / "sweep.csv", sweep_csv(table));
+    formats::write_text_atomically(table.out / "sweep.json", sweep_json(table, pictures));
+    formats::write_text_atomically(table.out / "sweep.md", sweep_markdown(table, pictures));
 }
 
-void print_end(const SweepTable& table, const Pictures& pictures)
+void print_end(const SweepTable& table, const study::Pictures& pictures)
 {
     const auto count = [&](const char* status)
     { return std::ranges::count_if(table.rows, [&](const SweepRow& row) { return row.state.status == status; }); };
@@ -190,9 +192,9 @@ bool make_all(SweepTable& table, std::span<const SweepJob> jobs, const SweepRequ
 
 /// Looks at what is there, and makes what is not. False when interrupted.
 bool make_missing(SweepTable& table, const SweepRequest& request, const std::vector<bool>& is_chosen,
-                  ResultFolder& folder)
+                  record::ResultFolder& folder)
 {
-    const InterruptionGuard guard;
+    const study::InterruptionGuard guard;
     const RunFolders folders = assign_folders(table.out, table.runs);
     look_at_folders(table, folders);
     folder.require_free(written_files(table, table.sweep.has_pictures));
@@ -228,7 +230,7 @@ void print_standing(SweepTable& table, const std::vector<bool>& is_chosen)
 
 } // namespace
 
-RunStatus sweep(const SweepRequest& request)
+model::RunStatus sweep(const SweepRequest& request)
 {
     SweepTable table = plan_sweep(request);
     const std::vector<bool> is_chosen = chosen_runs(table.sweep, table.runs, request.only);
@@ -240,25 +242,25 @@ RunStatus sweep(const SweepRequest& request)
     if (request.list)
     {
         print_standing(table, is_chosen);
-        return RunStatus::completed;
+        return model::RunStatus::completed;
     }
-    ResultFolder folder(table.out, "sweep");
+    record::ResultFolder folder(table.out, "sweep");
     if (!make_missing(table, request, is_chosen, folder))
     {
-        return RunStatus::interrupted;
+        return model::RunStatus::interrupted;
     }
     if (request.cases_only)
     {
-        return RunStatus::completed;
+        return model::RunStatus::completed;
     }
     compare_to_references(table);
-    const Pictures pictures = draw_sweep(table, folder);
+    const study::Pictures pictures = draw_sweep(table, folder);
     write_tables(table, pictures);
     if (!request.quiet)
     {
         print_end(table, pictures);
     }
-    return RunStatus::completed;
+    return model::RunStatus::completed;
 }
 
-} // namespace corticle
+} // namespace corticle::sweep

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace corticle
+namespace corticle::sweep
 {
 
 /// What `corticle sweep` was asked for.
@@ -29,6 +29,6 @@ struct SweepRequest
 /// gathers them into OUT/sweep.csv, sweep.md, sweep.json and pictures. Finished runs of the same resolved case are
 /// kept, unfinished ones go on from their checkpoints; a run that fails is a row with its reason.
 /// @throws InputError before anything is written; RunError when the tables cannot be written
-RunStatus sweep(const SweepRequest& request);
+model::RunStatus sweep(const SweepRequest& request);
 
-} // namespace corticle
+} // namespace corticle::sweep

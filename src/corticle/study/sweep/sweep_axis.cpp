@@ -13,7 +13,7 @@
 #include <cmath>
 #include <map>
 
-namespace corticle
+namespace corticle::sweep
 {
 
 namespace
@@ -27,9 +27,9 @@ constexpr int log_digits = 4; // of values between those given
 struct WrittenAxis
 {
     std::string where;
-    const Parameter* parameter = nullptr;
+    const config::Parameter* parameter = nullptr;
     std::string zip;
-    std::vector<Value> values;
+    std::vector<config::Value> values;
     std::vector<std::string> names;
     bool is_log = false;
 };
@@ -38,26 +38,26 @@ struct WrittenAxis
 class AxisTable
 {
   public:
-    AxisTable(const TomlNode& node, const SweepPlace& place) : node_(node), place_(place)
+    AxisTable(const config::TomlNode& node, const SweepPlace& place) : node_(node), place_(place)
     {
         static constexpr std::array known{"key", "values", "start", "stop", "count", "step", "names", "spacing", "zip"};
-        for (const TomlNode& child : node.children)
+        for (const config::TomlNode& child : node.children)
         {
             if (std::ranges::find(known, child.key) == known.end())
             {
-                throw InputError(fmt::format("unknown key {} of an axis ({}); expected {}", printable(child.key),
-                                             place.at(child), fmt::join(known, ", ")));
+                throw InputError(fmt::format("unknown key {} of an axis ({}); expected {}",
+                                             config::printable(child.key), place.at(child), fmt::join(known, ", ")));
             }
         }
     }
-    const TomlNode* find(std::string_view key) const
+    const config::TomlNode* find(std::string_view key) const
     {
-        const auto found = std::ranges::find(node_.children, key, &TomlNode::key);
+        const auto found = std::ranges::find(node_.children, key, &config::TomlNode::key);
         return found == node_.children.end() ? nullptr : &*found;
     }
-    const TomlNode& at(std::string_view key) const
+    const config::TomlNode& at(std::string_view key) const
     {
-        const TomlNode* found = find(key);
+        const config::TomlNode* found = find(key);
         if (found == nullptr)
         {
             throw InputError(fmt::format("an axis without {} ({}); expected one", key, where()));
@@ -68,7 +68,7 @@ class AxisTable
     const SweepPlace& place() const { return place_; }
 
   private:
-    const TomlNode& node_;
+    const config::TomlNode& node_;
     const SweepPlace& place_;
 };
 
@@ -83,7 +83,7 @@ double tidy(double number, int digits = 12)
 
 bool is_log(const AxisTable& axis)
 {
-    const TomlNode* node = axis.find("spacing");
+    const config::TomlNode* node = axis.find("spacing");
     if (node == nullptr)
     {
         return false;
@@ -92,19 +92,19 @@ bool is_log(const AxisTable& axis)
     if (text != "linear" && text != "log")
     {
         throw InputError(fmt::format("spacing of an axis ({}): got \"{}\", expected \"linear\" or \"log\"",
-                                     axis.place().at(*node), printable(text)));
+                                     axis.place().at(*node), config::printable(text)));
     }
     return text == "log";
 }
 
 std::size_t counted(const AxisTable& axis)
 {
-    const TomlNode& node = axis.at("count");
+    const config::TomlNode& node = axis.at("count");
     const auto* count = std::get_if<std::int64_t>(&node.value);
     if (count == nullptr || *count < 2 || *count > static_cast<std::int64_t>(most_sweep_runs))
     {
         throw InputError(fmt::format("count of an axis ({}): got {}, expected an integer in [2, {}]",
-                                     axis.place().at(node), describe(node.value), most_sweep_runs));
+                                     axis.place().at(node), config::describe(node.value), most_sweep_runs));
     }
     return static_cast<std::size_t>(*count);
 }
@@ -121,7 +121,7 @@ std::vector<double> range_of(const AxisTable& axis)
             fmt::format("a logarithmic axis ({}) from {} to {}; expected both above 0", axis.where(), start, stop));
     }
     std::vector<double> numbers;
-    if (const TomlNode* node = axis.find("step"))
+    if (const config::TomlNode* node = axis.find("step"))
     {
         const double step = sweep_number(*node, axis.place());
         const double count = std::floor((stop - start) / step + 1e-9) + 1.0;
@@ -149,34 +149,35 @@ std::vector<double> range_of(const AxisTable& axis)
 }
 
 /// The values of an axis; those of a range are rounded where the key counts something.
-std::vector<Value> written_values(const AxisTable& axis, bool is_count)
+std::vector<config::Value> written_values(const AxisTable& axis, bool is_count)
 {
     if (axis.find("values") == nullptr)
     {
-        std::vector<Value> values;
+        std::vector<config::Value> values;
         for (const double number : range_of(axis))
         {
             const bool is_rounded = is_count && std::abs(number) < largest_count;
-            values.push_back(is_rounded ? Value(static_cast<std::int64_t>(std::llround(number))) : Value(number));
+            values.push_back(is_rounded ? config::Value(static_cast<std::int64_t>(std::llround(number)))
+                                        : config::Value(number));
         }
         return values;
     }
     for (const char* other : {"start", "stop", "count", "step"})
     {
-        if (const TomlNode* node = axis.find(other))
+        if (const config::TomlNode* node = axis.find(other))
         {
             throw InputError(
                 fmt::format("an axis with values and {} ({}); expected one of them", other, axis.place().at(*node)));
         }
     }
-    const TomlNode& list = axis.at("values");
-    if (list.kind != TomlNode::Kind::list || list.children.empty() || list.children.size() > most_sweep_runs)
+    const config::TomlNode& list = axis.at("values");
+    if (list.kind != config::TomlNode::Kind::list || list.children.empty() || list.children.size() > most_sweep_runs)
     {
         throw InputError(fmt::format("values of an axis ({}): got {}, expected a list of 1 to {} values",
-                                     axis.place().at(list), describe(list.value), most_sweep_runs));
+                                     axis.place().at(list), config::describe(list.value), most_sweep_runs));
     }
-    std::vector<Value> values;
-    for (const TomlNode& node : list.children)
+    std::vector<config::Value> values;
+    for (const config::TomlNode& node : list.children)
     {
         values.push_back(node.value);
     }
@@ -184,7 +185,7 @@ std::vector<Value> written_values(const AxisTable& axis, bool is_count)
 }
 
 /// A value as a part of a name: letters, digits, dots and signs.
-std::string name_of(const Value& value)
+std::string name_of(const config::Value& value)
 {
     std::string text;
     if (const auto* real = std::get_if<double>(&value))
@@ -201,7 +202,7 @@ std::string name_of(const Value& value)
     }
     else
     {
-        text = toml_text(value);
+        text = config::toml_text(value);
     }
     return text;
 }
@@ -215,12 +216,12 @@ bool is_plain(char c)
 std::vector<std::string> given_names(const AxisTable& axis, std::size_t count)
 {
     std::vector<std::string> names;
-    const TomlNode* list = axis.find("names");
+    const config::TomlNode* list = axis.find("names");
     if (list == nullptr)
     {
         return names;
     }
-    for (const TomlNode& node : list->children)
+    for (const config::TomlNode& node : list->children)
     {
         const auto* name = std::get_if<std::string>(&node.value);
         if (name == nullptr || name->empty() || !std::ranges::all_of(*name, is_plain) || name->front() == '.')
@@ -228,7 +229,7 @@ std::vector<std::string> given_names(const AxisTable& axis, std::size_t count)
             throw InputError(
                 fmt::format("names of an axis ({}): got {}, expected letters, digits, \"-\", \"+\" and \".\", this "
                             "not first, between quotes",
-                            axis.place().at(*list), describe(node.value)));
+                            axis.place().at(*list), config::describe(node.value)));
         }
         names.push_back(*name);
     }
@@ -240,25 +241,25 @@ std::vector<std::string> given_names(const AxisTable& axis, std::size_t count)
     return names;
 }
 
-WrittenAxis read_axis(const TomlNode& node, const SweepPlace& place)
+WrittenAxis read_axis(const config::TomlNode& node, const SweepPlace& place)
 {
     const AxisTable table(node, place);
     WrittenAxis axis;
     axis.where = table.where();
-    const TomlNode& key = table.at("key");
+    const config::TomlNode& key = table.at("key");
     const std::string key_text = sweep_text(key, place);
-    axis.parameter = find_parameter(key_text);
+    axis.parameter = config::find_parameter(key_text);
     if (axis.parameter == nullptr)
     {
-        throw unknown_key_error(key_text, place.at(key));
+        throw config::unknown_key_error(key_text, place.at(key));
     }
-    for (const Value& value : written_values(table, axis.parameter->kind == Kind::integer))
+    for (const config::Value& value : written_values(table, axis.parameter->kind == config::Kind::integer))
     {
         axis.values.push_back(sweep_value(axis.parameter->key, value, axis.where, place));
     }
     axis.names = given_names(table, axis.values.size());
     axis.is_log = is_log(table);
-    if (const TomlNode* zip = table.find("zip"))
+    if (const config::TomlNode* zip = table.find("zip"))
     {
         axis.zip = sweep_text(*zip, place);
     }
@@ -288,13 +289,13 @@ void name_places(SweepAxis& axis, const std::map<std::string, int>& uses, const 
 {
     if (!axis.has_given_names)
     {
-        for (const std::vector<Value>& values : axis.values)
+        for (const std::vector<config::Value>& values : axis.values)
         {
             std::string name;
             std::string label;
             for (std::size_t k = 0; k < axis.keys.size(); ++k)
             {
-                const std::string last = find_parameter(axis.keys[k])->name();
+                const std::string last = config::find_parameter(axis.keys[k])->name();
                 label += (k == 0 ? "" : ", ") + name_of(values[k]);
                 name += fmt::format("{}{}-{}", k == 0 ? "" : "_", uses.at(last) > 1 ? axis.keys[k] : last,
                                     name_of(values[k]));
@@ -314,20 +315,20 @@ void name_places(SweepAxis& axis, const std::map<std::string, int>& uses, const 
         throw InputError(fmt::format("axis {} ({}): {} \"{}\"; expected values that differ, or names",
                                      axis.keys.front(), where,
                                      twice != sorted.end() ? "two places named" : "too long a name,",
-                                     printable(twice != sorted.end() ? *twice : longest)));
+                                     config::printable(twice != sorted.end() ? *twice : longest)));
     }
 }
 
 } // namespace
 
-std::vector<SweepAxis> sweep_axes(const TomlNode& list, const SweepPlace& place)
+std::vector<SweepAxis> sweep_axes(const config::TomlNode& list, const SweepPlace& place)
 {
     std::vector<SweepAxis> axes;
     std::vector<std::string> where;
     std::map<std::string, std::size_t> zips; // label -> place in axes
     std::map<std::string, int> uses;         // of the names of keys without their section
     std::vector<std::string> keys;
-    for (const TomlNode& node : list.children)
+    for (const config::TomlNode& node : list.children)
     {
         const WrittenAxis written = read_axis(node, place);
         if (std::ranges::find(keys, written.parameter->key) != keys.end())
@@ -360,4 +361,4 @@ std::vector<SweepAxis> sweep_axes(const TomlNode& list, const SweepPlace& place)
     return axes;
 }
 
-} // namespace corticle
+} // namespace corticle::sweep

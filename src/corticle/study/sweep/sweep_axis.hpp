@@ -4,10 +4,10 @@
 #include "corticle/study/sweep/sweep_file.hpp"
 #include "corticle/study/sweep/sweep_place.hpp"
 
-namespace corticle
+namespace corticle::sweep
 {
 
 /// The [[axis]] tables, those with the same `zip` joined into one. @throws InputError
-std::vector<SweepAxis> sweep_axes(const TomlNode& list, const SweepPlace& place);
+std::vector<SweepAxis> sweep_axes(const config::TomlNode& list, const SweepPlace& place);
 
-} // namespace corticle
+} // namespace corticle::sweep

@@ -11,7 +11,7 @@
 #include <array>
 #include <charconv>
 
-namespace corticle
+namespace corticle::sweep
 {
 
 namespace
@@ -28,13 +28,13 @@ constexpr std::array default_measures{"particles", "neighbours_mean", "area_rati
 constexpr std::array default_plots{"area_ratio", "gi_hull", "gi_sphere"};
 
 /// Leaves of tables within tables, as "section.key".
-void collect_keys(const TomlNode& node, const std::string& prefix,
-                  std::vector<std::pair<std::string, const TomlNode*>>& found)
+void collect_keys(const config::TomlNode& node, const std::string& prefix,
+                  std::vector<std::pair<std::string, const config::TomlNode*>>& found)
 {
-    for (const TomlNode& child : node.children)
+    for (const config::TomlNode& child : node.children)
     {
         const std::string key = prefix.empty() ? child.key : prefix + "." + child.key;
-        if (child.kind == TomlNode::Kind::table)
+        if (child.kind == config::TomlNode::Kind::table)
         {
             collect_keys(child, key, found);
         }
@@ -46,16 +46,16 @@ void collect_keys(const TomlNode& node, const std::string& prefix,
 }
 
 /// Keys of the case with their values, checked: of [set] and of a reference.
-std::vector<std::pair<std::string, Value>> case_values(const TomlNode& node, const SweepPlace& place)
+std::vector<std::pair<std::string, config::Value>> case_values(const config::TomlNode& node, const SweepPlace& place)
 {
-    if (node.kind != TomlNode::Kind::table)
+    if (node.kind != config::TomlNode::Kind::table)
     {
-        throw InputError(fmt::format("{} ({}): got {}, expected a table of keys of the case", printable(node.key),
-                                     place.at(node), describe(node.value)));
+        throw InputError(fmt::format("{} ({}): got {}, expected a table of keys of the case",
+                                     config::printable(node.key), place.at(node), config::describe(node.value)));
     }
-    std::vector<std::pair<std::string, const TomlNode*>> found;
+    std::vector<std::pair<std::string, const config::TomlNode*>> found;
     collect_keys(node, "", found);
-    std::vector<std::pair<std::string, Value>> values;
+    std::vector<std::pair<std::string, config::Value>> values;
     for (const auto& [key, leaf] : found)
     {
         values.emplace_back(key, sweep_value(key, leaf->value, place.at(*leaf), place));
@@ -63,11 +63,11 @@ std::vector<std::pair<std::string, Value>> case_values(const TomlNode& node, con
     return values;
 }
 
-SweepReference read_reference(const TomlNode& node, const SweepPlace& place)
+SweepReference read_reference(const config::TomlNode& node, const SweepPlace& place)
 {
     SweepReference reference;
     reference.where = place.at(node);
-    if (node.kind == TomlNode::Kind::table)
+    if (node.kind == config::TomlNode::Kind::table)
     {
         reference.kind = SweepReference::Kind::values;
         reference.values = case_values(node, place);
@@ -86,15 +86,15 @@ SweepReference read_reference(const TomlNode& node, const SweepPlace& place)
     return reference;
 }
 
-std::vector<std::string> read_texts(const TomlNode& node, const SweepPlace& place)
+std::vector<std::string> read_texts(const config::TomlNode& node, const SweepPlace& place)
 {
-    if (node.kind != TomlNode::Kind::list || node.children.size() > most_measures)
+    if (node.kind != config::TomlNode::Kind::list || node.children.size() > most_measures)
     {
         throw InputError(fmt::format("{} ({}): got {}, expected a list of at most {} strings", node.key, place.at(node),
-                                     describe(node.value), most_measures));
+                                     config::describe(node.value), most_measures));
     }
     std::vector<std::string> texts;
-    for (const TomlNode& child : node.children)
+    for (const config::TomlNode& child : node.children)
     {
         texts.push_back(sweep_text(child, place, node.key));
     }
@@ -102,18 +102,18 @@ std::vector<std::string> read_texts(const TomlNode& node, const SweepPlace& plac
 }
 
 /// One growth time or a list of them.
-std::vector<double> read_times(const TomlNode& node, const SweepPlace& place)
+std::vector<double> read_times(const config::TomlNode& node, const SweepPlace& place)
 {
     std::vector<double> times;
-    const std::vector<TomlNode> single{node};
-    for (const TomlNode& child : node.kind == TomlNode::Kind::list ? node.children : single)
+    const std::vector<config::TomlNode> single{node};
+    for (const config::TomlNode& child : node.kind == config::TomlNode::Kind::list ? node.children : single)
     {
         times.push_back(sweep_number(child, place, node.key));
     }
     if (times.empty() || times.size() > most_times || !std::ranges::is_sorted(times, std::ranges::less_equal{}))
     {
         throw InputError(fmt::format("{} ({}): got {}, expected a growth time or at most {} of them, increasing",
-                                     node.key, place.at(node), describe(node.value), most_times));
+                                     node.key, place.at(node), config::describe(node.value), most_times));
     }
     return times;
 }
@@ -132,17 +132,17 @@ SweepMeasure measure_of(const std::string& text, const std::string& where)
         {
             throw InputError(fmt::format("measures ({}): got \"{}\", expected KEY or KEY@T with a growth time T in "
                                          "[0, 1]",
-                                         where, printable(text)));
+                                         where, config::printable(text)));
         }
         measure.t = t;
     }
     return measure;
 }
 
-SweepLine read_line(const TomlNode& node, const SweepPlace& place)
+SweepLine read_line(const config::TomlNode& node, const SweepPlace& place)
 {
     SweepLine line;
-    for (const TomlNode& child : node.children)
+    for (const config::TomlNode& child : node.children)
     {
         if (child.key == "slope" || child.key == "intercept")
         {
@@ -158,7 +158,7 @@ SweepLine read_line(const TomlNode& node, const SweepPlace& place)
         {
             throw InputError(
                 fmt::format("unknown key {} of a line ({}); expected axis, measure, label, slope, intercept",
-                            printable(child.key), place.at(child)));
+                            config::printable(child.key), place.at(child)));
         }
     }
     if (line.axis.empty() || line.measure.empty() || line.label.empty())
@@ -169,13 +169,13 @@ SweepLine read_line(const TomlNode& node, const SweepPlace& place)
 }
 
 /// Tables of a [[list]]. @throws InputError where it is none
-const std::vector<TomlNode>& tables_of(const TomlNode& node, const SweepPlace& place)
+const std::vector<config::TomlNode>& tables_of(const config::TomlNode& node, const SweepPlace& place)
 {
-    const auto is_table = [](const TomlNode& child) { return child.kind == TomlNode::Kind::table; };
-    if (node.kind != TomlNode::Kind::list || !std::ranges::all_of(node.children, is_table))
+    const auto is_table = [](const config::TomlNode& child) { return child.kind == config::TomlNode::Kind::table; };
+    if (node.kind != config::TomlNode::Kind::list || !std::ranges::all_of(node.children, is_table))
     {
         throw InputError(fmt::format("{} ({}): got {}, expected tables: [[{}]]", node.key, place.at(node),
-                                     describe(node.value), node.key));
+                                     config::describe(node.value), node.key));
     }
     return node.children;
 }
@@ -186,7 +186,7 @@ class SweepReader
   public:
     explicit SweepReader(const SweepPlace& place) : place_(place) {}
 
-    void read(const TomlNode& node);
+    void read(const config::TomlNode& node);
     SweepFile finish();
 
   private:
@@ -197,14 +197,14 @@ class SweepReader
 
     const SweepPlace& place_;
     SweepFile sweep_;
-    std::vector<std::pair<std::string, Value>> settings_;
+    std::vector<std::pair<std::string, config::Value>> settings_;
     std::vector<std::string> measures_{default_measures.begin(), default_measures.end()};
     std::string where_measures_ = "the default measures";
     std::optional<std::vector<std::string>> plots_;
     std::string where_plots_;
 };
 
-void SweepReader::read(const TomlNode& node)
+void SweepReader::read(const config::TomlNode& node)
 {
     if (node.key == "base")
     {
@@ -242,8 +242,8 @@ void SweepReader::read(const TomlNode& node)
         const auto* flag = std::get_if<bool>(&node.value);
         if (flag == nullptr)
         {
-            throw InputError(
-                fmt::format("pictures ({}): got {}, expected true or false", place_.at(node), describe(node.value)));
+            throw InputError(fmt::format("pictures ({}): got {}, expected true or false", place_.at(node),
+                                         config::describe(node.value)));
         }
         sweep_.has_pictures = *flag;
     }
@@ -253,7 +253,7 @@ void SweepReader::read(const TomlNode& node)
     }
     else if (node.key == "line")
     {
-        for (const TomlNode& child : tables_of(node, place_))
+        for (const config::TomlNode& child : tables_of(node, place_))
         {
             sweep_.lines.push_back(read_line(child, place_));
         }
@@ -263,7 +263,7 @@ void SweepReader::read(const TomlNode& node)
         throw InputError(
             fmt::format("unknown key {} ({}); expected base, title, set, axis, reference, measures, plots, "
                         "pictures, compare_t or line",
-                        printable(node.key), place_.at(node)));
+                        config::printable(node.key), place_.at(node)));
     }
 }
 
@@ -300,10 +300,11 @@ void SweepReader::check_lines() const
     {
         if (!has_axis(line.axis) || std::ranges::find(sweep_.plots, line.measure) == sweep_.plots.end())
         {
-            throw InputError(fmt::format(
-                "line \"{}\" ({}): got axis {} and measure {}, expected a key of an axis and a "
-                "measure among plots",
-                printable(line.label), printable(place_.name), printable(line.axis), printable(line.measure)));
+            throw InputError(
+                fmt::format("line \"{}\" ({}): got axis {} and measure {}, expected a key of an axis and a "
+                            "measure among plots",
+                            config::printable(line.label), config::printable(place_.name), config::printable(line.axis),
+                            config::printable(line.measure)));
         }
     }
 }
@@ -320,8 +321,8 @@ void SweepReader::settle_measures()
     {
         if (!is_measured(text))
         {
-            throw InputError(
-                fmt::format("plots ({}): got \"{}\", expected some of measures", where_plots_, printable(text)));
+            throw InputError(fmt::format("plots ({}): got \"{}\", expected some of measures", where_plots_,
+                                         config::printable(text)));
         }
     }
     std::vector<std::string> defaults{default_plots.begin(), default_plots.end()};
@@ -333,14 +334,14 @@ SweepFile SweepReader::finish()
 {
     if (sweep_.base.empty() || sweep_.axes.empty())
     {
-        throw InputError(fmt::format("{} has no {}; expected {}", printable(place_.name),
+        throw InputError(fmt::format("{} has no {}; expected {}", config::printable(place_.name),
                                      sweep_.base.empty() ? "base" : "[[axis]]",
                                      sweep_.base.empty() ? "the case that the runs start from" : "at least one"));
     }
     check_keys();
     for (const auto& [key, value] : settings_)
     {
-        sweep_.settings.push_back(key + "=" + toml_text(value));
+        sweep_.settings.push_back(key + "=" + config::toml_text(value));
     }
     settle_measures();
     check_lines();
@@ -351,8 +352,8 @@ SweepFile SweepReader::finish()
     }
     if (runs > most_sweep_runs)
     {
-        throw InputError(
-            fmt::format("{} has more than {} runs; expected at most as many", printable(place_.name), most_sweep_runs));
+        throw InputError(fmt::format("{} has more than {} runs; expected at most as many",
+                                     config::printable(place_.name), most_sweep_runs));
     }
     return std::move(sweep_);
 }
@@ -363,8 +364,8 @@ SweepFile parse_sweep(std::string_view text, const std::string& name, const fs::
 {
     const SweepPlace place{name, directory};
     SweepReader reader(place);
-    const TomlNode document = parse_toml_tree(text, name, "sweep");
-    for (const TomlNode& node : document.children)
+    const config::TomlNode document = config::parse_toml_tree(text, name, "sweep");
+    for (const config::TomlNode& node : document.children)
     {
         reader.read(node);
     }
@@ -373,9 +374,9 @@ SweepFile parse_sweep(std::string_view text, const std::string& name, const fs::
 
 SweepFile read_sweep(const fs::path& file)
 {
-    SweepFile sweep = parse_sweep(read_case_text(file, "sweep"), file.string(), file.parent_path());
+    SweepFile sweep = parse_sweep(config::read_case_text(file, "sweep"), file.string(), file.parent_path());
     sweep.title = sweep.title.empty() ? file.stem().string() : sweep.title;
     return sweep;
 }
 
-} // namespace corticle
+} // namespace corticle::sweep

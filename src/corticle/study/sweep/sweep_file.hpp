@@ -9,18 +9,18 @@
 #include <utility>
 #include <vector>
 
-namespace corticle
+namespace corticle::sweep
 {
 
 /// One direction of a sweep: keys of the case that change together.
 struct SweepAxis
 {
-    std::vector<std::string> keys;          ///< at least one; those of zipped axes together
-    std::vector<std::vector<Value>> values; ///< of each place on the axis one value for each key
-    std::vector<std::string> names;         ///< of the places, in names of runs and captions: "cfl-0.4"
-    std::vector<std::string> labels;        ///< the same without the keys: "0.4"
-    bool has_given_names = false;           ///< the names were chosen by the user
-    bool is_log = false;                    ///< its plots have a logarithmic axis
+    std::vector<std::string> keys;                  ///< at least one; those of zipped axes together
+    std::vector<std::vector<config::Value>> values; ///< of each place on the axis one value for each key
+    std::vector<std::string> names;                 ///< of the places, in names of runs and captions: "cfl-0.4"
+    std::vector<std::string> labels;                ///< the same without the keys: "0.4"
+    bool has_given_names = false;                   ///< the names were chosen by the user
+    bool is_log = false;                            ///< its plots have a logarithmic axis
 
     std::size_t size() const { return values.size(); }
 };
@@ -39,7 +39,7 @@ struct SweepReference
     Kind kind = Kind::finest;
     std::int64_t number = 0;
     std::string name;
-    std::vector<std::pair<std::string, Value>> values;
+    std::vector<std::pair<std::string, config::Value>> values;
     std::string where; ///< "sweep.toml:4"
 };
 
@@ -88,4 +88,4 @@ SweepFile read_sweep(const std::filesystem::path& file);
 /// The same from text; `name` is used in messages, `directory` resolves relative paths.
 SweepFile parse_sweep(std::string_view text, const std::string& name, const std::filesystem::path& directory);
 
-} // namespace corticle
+} // namespace corticle::sweep

@@ -11,7 +11,7 @@
 #include <fstream>
 #include <set>
 
-namespace corticle
+namespace corticle::sweep
 {
 
 namespace
@@ -24,7 +24,7 @@ std::string identity_in(const fs::path& folder)
 {
     try
     {
-        return case_identity(read_case(folder / "case.toml", {}));
+        return case_identity(config::read_case(folder / "case.toml", {}));
     }
     catch (const InputError&)
     {
@@ -151,4 +151,4 @@ RunFolders assign_folders(const fs::path& out, std::span<const SweepRun> runs)
     return folders;
 }
 
-} // namespace corticle
+} // namespace corticle::sweep

@@ -5,7 +5,7 @@
 
 #include <map>
 
-namespace corticle
+namespace corticle::sweep
 {
 
 /// How a run of a sweep stands.
@@ -33,4 +33,4 @@ struct RunFolders
 /// Finds for each run the folder in OUT/runs that holds a run of the same case, else a free one named after it.
 RunFolders assign_folders(const std::filesystem::path& out, std::span<const SweepRun> runs);
 
-} // namespace corticle
+} // namespace corticle::sweep

@@ -21,7 +21,7 @@
 
 #include <unistd.h>
 
-namespace corticle
+namespace corticle::sweep
 {
 
 namespace
@@ -39,7 +39,7 @@ constexpr double steps_per_crossing = 2.8; // over the particles along the radiu
 
 bool is_locked(const fs::path& folder)
 {
-    return !FolderLock::try_lock(folder);
+    return !record::FolderLock::try_lock(folder);
 }
 
 /// The last line of what a command wrote, without its prefix.
@@ -215,22 +215,22 @@ void Crew::end_all()
 
 } // namespace
 
-double relative_cost(const Options& options)
+double relative_cost(const config::Options& options)
 {
-    const GeometryOptions& geometry = options.geometry;
-    const DynamicsOptions& dynamics = options.dynamics;
-    const double volume = shape_volume(geometry) > 0.0 ? shape_volume(geometry) : volume_of_a_file;
+    const prepare::GeometryOptions& geometry = options.geometry;
+    const dynamics::DynamicsOptions& dynamics = options.dynamics;
+    const double volume = config::shape_volume(geometry) > 0.0 ? config::shape_volume(geometry) : volume_of_a_file;
     const double particles = geometry.particles    ? static_cast<double>(*geometry.particles)
                              : options.elements    ? static_cast<double>(*options.elements) / elements_per_node
                              : geometry.spacing_mm ? volume / std::pow(*geometry.spacing_mm, 3.0)
-                                                   : static_cast<double>(default_particles);
+                                                   : static_cast<double>(prepare::default_particles);
     const double spacing = std::cbrt(volume / particles);
-    const double neighbors = std::pow(support_mm(options.tlsph, spacing) / spacing, 3.0);
+    const double neighbors = std::pow(tlsph::support_mm(options.tlsph, spacing) / spacing, 3.0);
     const double span = std::max(options.time.end - options.time.start, 1e-6);
     const double steps = dynamics.time_step > 0.0 ? span / dynamics.time_step
-                                                  : span * quickened_steps(dynamics) * steps_per_crossing *
+                                                  : span * dynamics::quickened_steps(dynamics) * steps_per_crossing *
                                                         dynamics.loading_time * std::cbrt(particles) / dynamics.cfl;
-    const double stages = dynamics.integrator == Integrator::rk4 ? 4.0 : 1.0;
+    const double stages = dynamics.integrator == dynamics::Integrator::rk4 ? 4.0 : 1.0;
     return particles * neighbors * steps * stages;
 }
 
@@ -243,7 +243,7 @@ bool make_runs(std::span<const SweepJob> jobs, const JobOptions& options,
     while (!crew.is_done())
     {
         crew.look();
-        if (InterruptionGuard::requested() && !is_interrupted)
+        if (study::InterruptionGuard::requested() && !is_interrupted)
         {
             is_interrupted = true;
             crew.end_all();
@@ -257,4 +257,4 @@ bool make_runs(std::span<const SweepJob> jobs, const JobOptions& options,
     return !is_interrupted;
 }
 
-} // namespace corticle
+} // namespace corticle::sweep

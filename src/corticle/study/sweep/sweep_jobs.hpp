@@ -5,7 +5,7 @@
 
 #include <functional>
 
-namespace corticle
+namespace corticle::sweep
 {
 
 /// A run to be made.
@@ -30,7 +30,7 @@ struct JobOptions
 };
 
 /// About how long a run takes, relative to other runs: steps, particles and neighbours.
-double relative_cost(const Options& options);
+double relative_cost(const config::Options& options);
 
 /// Makes the runs, the costly ones first, each as a process of the command that resumes what its folder holds; a folder
 /// that another process holds is waited for. `ended(job, state)` is called after each.
@@ -39,4 +39,4 @@ double relative_cost(const Options& options);
 bool make_runs(std::span<const SweepJob> jobs, const JobOptions& options,
                const std::function<void(std::size_t, const RunState&)>& ended);
 
-} // namespace corticle
+} // namespace corticle::sweep

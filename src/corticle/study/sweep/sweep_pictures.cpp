@@ -13,7 +13,7 @@
 #include <map>
 #include <set>
 
-namespace corticle
+namespace corticle::sweep
 {
 
 namespace
@@ -40,7 +40,7 @@ struct Scale
     bool is_log = false;
 };
 
-std::optional<double> number_of(const Value& value)
+std::optional<double> number_of(const config::Value& value)
 {
     const auto* integer = std::get_if<std::int64_t>(&value);
     const auto* real = std::get_if<double>(&value);
@@ -53,7 +53,7 @@ std::optional<double> number_of(const Value& value)
 std::optional<std::vector<double>> numbers_of(const SweepAxis& axis, std::size_t key)
 {
     std::vector<double> numbers;
-    for (const std::vector<Value>& values : axis.values)
+    for (const std::vector<config::Value>& values : axis.values)
     {
         if (const std::optional<double> number = number_of(values[key]))
         {
@@ -71,7 +71,7 @@ Scale scale_of(const SweepAxis& axis)
     {
         if (const auto numbers = numbers_of(axis, k))
         {
-            const std::string unit = find_parameter(axis.keys[k])->unit;
+            const std::string unit = config::find_parameter(axis.keys[k])->unit;
             Scale scale{axis.keys[k] + (unit.empty() ? "" : " [" + unit + "]"), *numbers, {}, true, axis.is_log};
             for (double& x : scale.x)
             {
@@ -108,14 +108,14 @@ std::string other_places(const SweepTable& table, const SweepRow& row, std::size
 }
 
 /// One curve of points for all of them, where there are more than colours.
-void gather_if_many(std::vector<Curve>& curves)
+void gather_if_many(std::vector<view::Curve>& curves)
 {
     if (curves.size() <= most_curves)
     {
         return;
     }
-    Curve all{"", {}, {}, true};
-    for (const Curve& curve : curves)
+    view::Curve all{"", {}, {}, true};
+    for (const view::Curve& curve : curves)
     {
         all.x.insert(all.x.end(), curve.x.begin(), curve.x.end());
         all.y.insert(all.y.end(), curve.y.begin(), curve.y.end());
@@ -131,20 +131,21 @@ bool is_completed(const SweepRow& row)
 /// A quantity against an axis: a curve for each combination of the other axes, and marks on the runs that failed among
 /// others that did not.
 template <class Quantity>
-Panel panel_of(const SweepTable& table, std::size_t axis, const Scale& scale, std::string label, Quantity&& quantity)
+view::Panel panel_of(const SweepTable& table, std::size_t axis, const Scale& scale, std::string label,
+                     Quantity&& quantity)
 {
     const bool is_marked = std::ranges::any_of(table.rows, is_completed);
-    std::vector<Curve> curves;
-    Curve failed{"did not complete", {}, {}, true};
+    std::vector<view::Curve> curves;
+    view::Curve failed{"did not complete", {}, {}, true};
     for (const SweepRow& row : table.rows)
     {
         const std::string name = other_places(table, row, axis);
-        auto curve = std::ranges::find(curves, name, &Curve::label);
+        auto curve = std::ranges::find(curves, name, &view::Curve::label);
         if (curve == curves.end())
         {
-            curve = curves.insert(curves.end(), Curve{name, {}, {}, false, true});
+            curve = curves.insert(curves.end(), view::Curve{name, {}, {}, false, true});
         }
-        for (Curve* chosen : {&*curve, is_marked && !is_completed(row) ? &failed : nullptr})
+        for (view::Curve* chosen : {&*curve, is_marked && !is_completed(row) ? &failed : nullptr})
         {
             if (chosen != nullptr && std::isfinite(quantity(row)))
             {
@@ -154,7 +155,7 @@ Panel panel_of(const SweepTable& table, std::size_t axis, const Scale& scale, st
         }
     }
     gather_if_many(curves);
-    for (Curve& curve : curves)
+    for (view::Curve& curve : curves)
     {
         curve.is_points = curve.is_points || curve.x.size() == 1;
         curve.label = curve.label.empty() ? "runs" : curve.label;
@@ -168,7 +169,7 @@ Panel panel_of(const SweepTable& table, std::size_t axis, const Scale& scale, st
 
 /// The lines of theory that belong to a measure and an axis.
 void add_lines(const SweepTable& table, const SweepAxis& axis, const std::string& measure, const Scale& scale,
-               Panel& panel)
+               view::Panel& panel)
 {
     constexpr int pieces = 32; // a straight line is bent on a logarithmic axis
     const auto [low, high] = std::ranges::minmax(scale.x);
@@ -179,7 +180,7 @@ void add_lines(const SweepTable& table, const SweepAxis& axis, const std::string
         {
             continue;
         }
-        Curve curve{line.label, {}, {}};
+        view::Curve curve{line.label, {}, {}};
         for (int i = 0; i <= pieces; ++i)
         {
             curve.x.push_back(low + (high - low) * i / pieces);
@@ -190,9 +191,9 @@ void add_lines(const SweepTable& table, const SweepAxis& axis, const std::string
     }
 }
 
-std::vector<Panel> measure_panels(const SweepTable& table, std::size_t axis, const Scale& scale)
+std::vector<view::Panel> measure_panels(const SweepTable& table, std::size_t axis, const Scale& scale)
 {
-    std::vector<Panel> panels;
+    std::vector<view::Panel> panels;
     for (std::size_t i = 0; i < table.sweep.measures.size(); ++i)
     {
         const std::string& text = table.sweep.measures[i].text;
@@ -205,7 +206,7 @@ std::vector<Panel> measure_panels(const SweepTable& table, std::size_t axis, con
     return panels;
 }
 
-std::vector<Panel> time_panels(const SweepTable& table, std::size_t axis, const Scale& scale)
+std::vector<view::Panel> time_panels(const SweepTable& table, std::size_t axis, const Scale& scale)
 {
     return {panel_of(table, axis, scale, "duration [s]", [](const SweepRow& row) { return row.number("wall_s"); }),
             panel_of(table, axis, scale, "duration of a step [s]", [](const SweepRow& row) { return row.step_s(); }),
@@ -213,11 +214,11 @@ std::vector<Panel> time_panels(const SweepTable& table, std::size_t axis, const 
 }
 
 /// The last frame of a run; none where there is no output time, or it cannot be read.
-std::optional<Frame> last_frame(const SweepTable& table, const SweepRow& row)
+std::optional<record::Frame> last_frame(const SweepTable& table, const SweepRow& row)
 {
     try
     {
-        return read_frame(list_frames(table.out / row.folder).back());
+        return record::read_frame(record::list_frames(table.out / row.folder).back());
     }
     catch (const InputError&)
     {
@@ -226,16 +227,16 @@ std::optional<Frame> last_frame(const SweepTable& table, const SweepRow& row)
 }
 
 /// A scale for the surfaces of all runs that completed, or of all runs where none did.
-ColorScale common_scale(const SweepTable& table, std::span<const SweepRow> rows)
+view::ColorScale common_scale(const SweepTable& table, std::span<const SweepRow> rows)
 {
-    ColorScale common{"J = det F", 1e300, -1e300};
+    view::ColorScale common{"J = det F", 1e300, -1e300};
     const bool any = std::ranges::any_of(rows, is_completed);
     for (const SweepRow& row : rows)
     {
-        const std::optional<Frame> frame = !any || is_completed(row) ? last_frame(table, row) : std::nullopt;
+        const std::optional<record::Frame> frame = !any || is_completed(row) ? last_frame(table, row) : std::nullopt;
         if (frame)
         {
-            const ColorScale own = robust_scale(common.label, frame->surface_J, common.map);
+            const view::ColorScale own = view::robust_scale(common.label, frame->surface_J, common.map);
             common.low = std::min(common.low, own.low);
             common.high = std::max(common.high, own.high);
         }
@@ -258,16 +259,16 @@ std::size_t column_count(const SweepTable& table, std::size_t tiles)
 bool draw_surfaces(const SweepTable& table)
 {
     const std::span<const SweepRow> rows(table.rows.data(), std::min(table.rows.size(), most_tiles));
-    const ColorScale scale = common_scale(table, rows);
+    const view::ColorScale scale = common_scale(table, rows);
     if (!(scale.low < scale.high))
     {
         return false;
     }
-    const auto tile = [&](std::size_t i) -> SurfaceTile
+    const auto tile = [&](std::size_t i) -> view::SurfaceTile
     {
         const SweepRow& row = rows[i];
         const std::string& name = table.runs[row.run].name;
-        std::optional<Frame> frame = last_frame(table, row);
+        std::optional<record::Frame> frame = last_frame(table, row);
         if (!frame)
         {
             return {name + "\n" + row.state.status, {}, {}, {}};
@@ -275,8 +276,8 @@ bool draw_surfaces(const SweepTable& table)
         return {fmt::format("{}\nt = {:.4g}{}", name, frame->t, is_completed(row) ? "" : ", " + row.state.status),
                 std::move(frame->surface), std::move(frame->triangles), std::move(frame->surface_J)};
     };
-    render_surface_grid(table.out / surfaces_file, rows.size(), column_count(table, rows.size()), tile, scale,
-                        table.sweep.title + ": surfaces at the last output time, from above");
+    view::render_surface_grid(table.out / surfaces_file, rows.size(), column_count(table, rows.size()), tile, scale,
+                              table.sweep.title + ": surfaces at the last output time, from above");
     return true;
 }
 
@@ -294,19 +295,19 @@ std::vector<std::string> sweep_pictures(const SweepTable& table)
     return files;
 }
 
-Pictures draw_sweep(const SweepTable& table, ResultFolder& folder)
+study::Pictures draw_sweep(const SweepTable& table, record::ResultFolder& folder)
 {
-    Pictures pictures;
-    if (!table.sweep.has_pictures || !can_render(pictures.reason))
+    study::Pictures pictures;
+    if (!table.sweep.has_pictures || !view::can_render(pictures.reason))
     {
         return pictures;
     }
     folder.claim(sweep_pictures(table));
-    const auto draw = [&](const std::string& name, std::span<const Panel> panels)
+    const auto draw = [&](const std::string& name, std::span<const view::Panel> panels)
     {
         if (!panels.empty())
         {
-            render_plot(table.out / plot_file(name), panels, table.sweep.title);
+            view::render_plot(table.out / plot_file(name), panels, table.sweep.title);
             pictures.files.push_back(plot_file(name));
         }
     };
@@ -324,4 +325,4 @@ Pictures draw_sweep(const SweepTable& table, ResultFolder& folder)
     return pictures;
 }
 
-} // namespace corticle
+} // namespace corticle::sweep

@@ -8,53 +8,56 @@
 
 #include <cmath>
 
-namespace corticle
+namespace corticle::sweep
 {
 
-std::string SweepPlace::at(const TomlNode& node) const
+std::string SweepPlace::at(const config::TomlNode& node) const
 {
-    return fmt::format("{}:{}", printable(name), node.line);
+    return fmt::format("{}:{}", config::printable(name), node.line);
 }
 
-std::string sweep_text(const TomlNode& node, const SweepPlace& place, std::string_view key)
+std::string sweep_text(const config::TomlNode& node, const SweepPlace& place, std::string_view key)
 {
     const auto* text = std::get_if<std::string>(&node.value);
     if (text == nullptr || text->empty() || text->find_first_of(std::string_view("\0\n\r", 3)) != std::string::npos)
     {
-        throw InputError(fmt::format("{} ({}): got {}, expected a string{}", printable(key.empty() ? node.key : key),
-                                     place.at(node), describe(node.value),
-                                     text == nullptr ? "" : " that is a line and not empty"));
+        throw InputError(fmt::format(
+            "{} ({}): got {}, expected a string{}", config::printable(key.empty() ? node.key : key), place.at(node),
+            config::describe(node.value), text == nullptr ? "" : " that is a line and not empty"));
     }
     return *text;
 }
 
-double sweep_number(const TomlNode& node, const SweepPlace& place, std::string_view key)
+double sweep_number(const config::TomlNode& node, const SweepPlace& place, std::string_view key)
 {
     const auto* integer = std::get_if<std::int64_t>(&node.value);
     const auto* real = std::get_if<double>(&node.value);
     const double number = integer != nullptr ? static_cast<double>(*integer) : (real != nullptr ? *real : NAN);
     if (!std::isfinite(number))
     {
-        throw InputError(fmt::format("{} ({}): got {}, expected a number", printable(key.empty() ? node.key : key),
-                                     place.at(node), describe(node.value)));
+        throw InputError(fmt::format("{} ({}): got {}, expected a number",
+                                     config::printable(key.empty() ? node.key : key), place.at(node),
+                                     config::describe(node.value)));
     }
     return number;
 }
 
-Value sweep_value(const std::string& key, const Value& value, const std::string& where, const SweepPlace& place)
+config::Value sweep_value(const std::string& key, const config::Value& value, const std::string& where,
+                          const SweepPlace& place)
 {
-    const Parameter* parameter = find_parameter(key);
+    const config::Parameter* parameter = config::find_parameter(key);
     if (parameter == nullptr)
     {
-        throw unknown_key_error(key, where);
+        throw config::unknown_key_error(key, where);
     }
-    Value typed = value;
-    if (const auto* integer = std::get_if<std::int64_t>(&value); integer != nullptr && parameter->kind == Kind::real)
+    config::Value typed = value;
+    if (const auto* integer = std::get_if<std::int64_t>(&value);
+        integer != nullptr && parameter->kind == config::Kind::real)
     {
         typed = static_cast<double>(*integer);
     }
-    Options scratch;
-    assign(scratch, *parameter, typed, where);
+    config::Options scratch;
+    config::assign(scratch, *parameter, typed, where);
     const auto* text = std::get_if<std::string>(&typed);
     if (parameter->is_path && text != nullptr && !text->empty())
     {
@@ -63,4 +66,4 @@ Value sweep_value(const std::string& key, const Value& value, const std::string&
     return typed;
 }
 
-} // namespace corticle
+} // namespace corticle::sweep

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <fstream>
 
-namespace corticle
+namespace corticle::sweep
 {
 
 namespace
@@ -104,4 +104,4 @@ void SweepProgress::update(std::span<const std::size_t> running)
     drawn_at_ = Clock::now();
 }
 
-} // namespace corticle
+} // namespace corticle::sweep

@@ -5,7 +5,7 @@
 
 #include <chrono>
 
-namespace corticle
+namespace corticle::sweep
 {
 
 struct SweepJob;
@@ -37,4 +37,4 @@ class SweepProgress
     Clock::time_point drawn_at_;
 };
 
-} // namespace corticle
+} // namespace corticle::sweep

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace corticle
+namespace corticle::sweep
 {
 
 namespace
@@ -40,11 +40,11 @@ std::string csv_number(double value)
 }
 
 /// Text without quotes, numbers as they are.
-std::string plain_text(const Value& value)
+std::string plain_text(const config::Value& value)
 {
     const auto* text = std::get_if<std::string>(&value);
     const auto* real = std::get_if<double>(&value);
-    return text != nullptr ? *text : real != nullptr ? fmt::format("{}", *real) : toml_text(value);
+    return text != nullptr ? *text : real != nullptr ? fmt::format("{}", *real) : config::toml_text(value);
 }
 
 /// How often J of a run is compared.
@@ -66,7 +66,7 @@ std::vector<std::string> axis_columns(const SweepFile& sweep)
         }
         for (const std::string& key : axis.keys)
         {
-            const std::string unit = find_parameter(key)->unit;
+            const std::string unit = config::find_parameter(key)->unit;
             columns.push_back(fmt::format("`{}`{}", key, unit.empty() ? "" : " [" + unit + "]"));
         }
     }
@@ -81,12 +81,12 @@ std::vector<std::string> axis_cells(const SweepFile& sweep, const SweepRun& run)
         const SweepAxis& axis = sweep.axes[i];
         if (axis.has_given_names)
         {
-            cells.push_back(markdown_cell(axis.names[run.at[i]]));
+            cells.push_back(study::markdown_cell(axis.names[run.at[i]]));
             continue;
         }
-        for (const Value& value : axis.values[run.at[i]])
+        for (const config::Value& value : axis.values[run.at[i]])
         {
-            cells.push_back(markdown_cell(plain_text(value)));
+            cells.push_back(study::markdown_cell(plain_text(value)));
         }
     }
     return cells;
@@ -115,22 +115,22 @@ std::string runs_table(const SweepTable& table)
         cells.push_back(row.state.status);
         for (const double value : {row.number("wall_s"), row.step_s(), row.number("steps"), row.number("t")})
         {
-            cells.push_back(table_number(value));
+            cells.push_back(study::table_number(value));
         }
         for (const double value : row.measures)
         {
-            cells.push_back(table_number(value));
+            cells.push_back(study::table_number(value));
         }
         for (std::size_t k = 0; is_compared && k < comparison_count(table.sweep); ++k)
         {
             const JDifference J = k < row.J.size() ? row.J[k] : JDifference{};
             const bool is_reference = row.reference == table.runs[row.run].name;
-            cells.insert(cells.end(),
-                         {is_reference ? "reference" : table_number(J.mean), table_number(J.t), table_number(J.error)});
+            cells.insert(cells.end(), {is_reference ? "reference" : study::table_number(J.mean),
+                                       study::table_number(J.t), study::table_number(J.error)});
         }
         rows.push_back(std::move(cells));
     }
-    return markdown_table(header, rows);
+    return study::markdown_table(header, rows);
 }
 
 std::string failures(const SweepTable& table)
@@ -140,7 +140,8 @@ std::string failures(const SweepTable& table)
     {
         if (!row.state.reason.empty())
         {
-            text += fmt::format("- {}: {}\n", markdown_cell(table.runs[row.run].name), markdown_cell(row.state.reason));
+            text += fmt::format("- {}: {}\n", study::markdown_cell(table.runs[row.run].name),
+                                study::markdown_cell(row.state.reason));
         }
     }
     return text.empty() ? "" : "## Runs that did not complete\n\n" + text + "\n";
@@ -153,7 +154,8 @@ std::string warnings(const SweepTable& table)
     {
         for (const std::string& warning : row.state.warnings)
         {
-            text += fmt::format("- {}: {}\n", markdown_cell(table.runs[row.run].name), markdown_cell(warning));
+            text += fmt::format("- {}: {}\n", study::markdown_cell(table.runs[row.run].name),
+                                study::markdown_cell(warning));
         }
     }
     return text.empty() ? "" : "## Warnings of the runs\n\n" + text + "\n";
@@ -172,7 +174,7 @@ std::string reference_text(const SweepTable& table)
         "MD of J is the mean of |J - J'| over the points (thesis eq. 27), J' that of {}, at the last output "
         "time{} that both have. Where the points differ J is interpolated; differences below the "
         "interpolation error say nothing.\n\n",
-        is_one ? "run " + markdown_cell(named->reference) : "the run with the values of the reference",
+        is_one ? "run " + study::markdown_cell(named->reference) : "the run with the values of the reference",
         table.sweep.compare_t.empty() ? ""
                                       : fmt::format(" up to t = {}", fmt::join(table.sweep.compare_t, " and up to ")));
 }
@@ -182,12 +184,12 @@ Json number_json(double value)
     return std::isnan(value) ? Json(nullptr) : Json(value);
 }
 
-Json value_json(const Value& value)
+Json value_json(const config::Value& value)
 {
     return std::visit(
         [](const auto& held) -> Json
         {
-            if constexpr (std::is_same_v<std::remove_cvref_t<decltype(held)>, Unsupported>)
+            if constexpr (std::is_same_v<std::remove_cvref_t<decltype(held)>, config::Unsupported>)
             {
                 return nullptr;
             }
@@ -263,7 +265,7 @@ std::string sweep_csv(const SweepTable& table)
         text += fmt::format("{},{}", row.run + 1, csv_field(run.name));
         for (std::size_t i = 0; i < table.sweep.axes.size(); ++i)
         {
-            for (const Value& value : table.sweep.axes[i].values[run.at[i]])
+            for (const config::Value& value : table.sweep.axes[i].values[run.at[i]])
             {
                 text += ',';
                 text += csv_field(plain_text(value));
@@ -288,10 +290,10 @@ std::string sweep_csv(const SweepTable& table)
     return text;
 }
 
-std::string sweep_markdown(const SweepTable& table, const Pictures& pictures)
+std::string sweep_markdown(const SweepTable& table, const study::Pictures& pictures)
 {
-    std::string text = fmt::format("# {}\n\n{} runs of `{}`", markdown_cell(table.sweep.title), table.runs.size(),
-                                   table.sweep.base.filename().string());
+    std::string text = fmt::format("# {}\n\n{} runs of `{}`", study::markdown_cell(table.sweep.title),
+                                   table.runs.size(), table.sweep.base.filename().string());
     if (!table.sweep.settings.empty())
     {
         text += fmt::format(" with `{}`", fmt::join(table.sweep.settings, "`, `"));
@@ -306,7 +308,7 @@ std::string sweep_markdown(const SweepTable& table, const Pictures& pictures)
     return text + (pictures.reason.empty() ? "" : "No pictures: " + pictures.reason + "\n");
 }
 
-std::string sweep_json(const SweepTable& table, const Pictures& pictures)
+std::string sweep_json(const SweepTable& table, const study::Pictures& pictures)
 {
     Json json;
     json["title"] = table.sweep.title;
@@ -327,4 +329,4 @@ std::string sweep_json(const SweepTable& table, const Pictures& pictures)
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-} // namespace corticle
+} // namespace corticle::sweep

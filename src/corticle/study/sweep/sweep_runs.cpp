@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <charconv>
 
-namespace corticle
+namespace corticle::sweep
 {
 
 namespace
@@ -39,7 +39,7 @@ std::optional<AxisKey> find_axis(const SweepFile& sweep, std::string_view key)
 }
 
 SweepRun make_run(const SweepFile& sweep, const std::string& base_text, std::vector<std::size_t> at,
-                  KnownChecksums& known)
+                  config::KnownChecksums& known)
 {
     SweepRun run;
     std::vector<std::string> overrides = sweep.settings;
@@ -49,20 +49,20 @@ SweepRun make_run(const SweepFile& sweep, const std::string& base_text, std::vec
         run.name += (axis == 0 ? "" : "_") + described.names[at[axis]];
         for (std::size_t k = 0; k < described.keys.size(); ++k)
         {
-            overrides.push_back(described.keys[k] + "=" + toml_text(described.values[at[axis]][k]));
+            overrides.push_back(described.keys[k] + "=" + config::toml_text(described.values[at[axis]][k]));
         }
     }
     run.at = std::move(at);
     try
     {
-        run.options = parse_case(base_text, sweep.base.string(), overrides, sweep.base.parent_path());
-        identify_inputs(run.options, known);
+        run.options = config::parse_case(base_text, sweep.base.string(), overrides, sweep.base.parent_path());
+        config::identify_inputs(run.options, known);
     }
     catch (const InputError& error)
     {
         throw InputError(fmt::format("run {}: {}", run.name, error.what()));
     }
-    run.case_text = to_toml(run.options);
+    run.case_text = config::to_toml(run.options);
     return run;
 }
 
@@ -82,17 +82,18 @@ bool advance(const SweepFile& sweep, std::vector<std::size_t>& at)
 
 bool has_value(const SweepFile& sweep, const SweepRun& run, const AxisKey& place, const std::string& text)
 {
-    return toml_text(sweep.axes[place.axis].values[run.at[place.axis]][place.key]) == text;
+    return config::toml_text(sweep.axes[place.axis].values[run.at[place.axis]][place.key]) == text;
 }
 
 /// A value of `--only` as TOML, in the type that the axis has.
 std::string wanted_text(const SweepFile& sweep, const AxisKey& place, const std::string& text)
 {
-    const Value& example = sweep.axes[place.axis].values.front()[place.key];
-    const Value value = parse_toml_value(text).value_or(text);
+    const config::Value& example = sweep.axes[place.axis].values.front()[place.key];
+    const config::Value value = config::parse_toml_value(text).value_or(text);
     const auto* integer = std::get_if<std::int64_t>(&value);
-    return std::holds_alternative<double>(example) && integer != nullptr ? toml_text(static_cast<double>(*integer))
-                                                                         : toml_text(value);
+    return std::holds_alternative<double>(example) && integer != nullptr
+               ? config::toml_text(static_cast<double>(*integer))
+               : config::toml_text(value);
 }
 
 /// Whether a run is meant by a number (from 1), a name, or "section.key=value".
@@ -134,7 +135,7 @@ std::size_t reference_by_name(const SweepFile& sweep, std::span<const SweepRun> 
         throw InputError(
             fmt::format("reference ({}): got \"{}\", expected \"finest\", \"none\" or the name of a run, such "
                         "as \"{}\"",
-                        reference.where, printable(reference.name), runs.front().name));
+                        reference.where, config::printable(reference.name), runs.front().name));
     }
     return static_cast<std::size_t>(found - runs.begin());
 }
@@ -159,7 +160,7 @@ std::size_t reference_by_values(const SweepFile& sweep, std::span<const SweepRun
         }
         return std::ranges::all_of(
             reference.values, [&](const auto& entry)
-            { return has_value(sweep, other, *find_axis(sweep, entry.first), toml_text(entry.second)); });
+            { return has_value(sweep, other, *find_axis(sweep, entry.first), config::toml_text(entry.second)); });
     };
     const auto found = std::ranges::find_if(runs, fits);
     if (found == runs.end())
@@ -180,7 +181,7 @@ void change_settings(SweepFile& sweep, std::span<const std::string> overrides)
         if (find_axis(sweep, key_of(text)))
         {
             throw InputError(fmt::format("--set {}: {} is on an axis of the sweep; expected another key, or --only",
-                                         printable(text), key_of(text)));
+                                         config::printable(text), key_of(text)));
         }
         std::erase_if(sweep.settings, [&](const std::string& earlier) { return key_of(earlier) == key_of(text); });
         sweep.settings.push_back(text);
@@ -189,9 +190,9 @@ void change_settings(SweepFile& sweep, std::span<const std::string> overrides)
 
 std::vector<SweepRun> sweep_runs(const SweepFile& sweep)
 {
-    const std::string base_text = read_case_text(sweep.base);
+    const std::string base_text = config::read_case_text(sweep.base);
     std::vector<SweepRun> runs;
-    KnownChecksums known;
+    config::KnownChecksums known;
     std::vector<std::size_t> at(sweep.axes.size(), 0);
     do
     {
@@ -200,14 +201,14 @@ std::vector<SweepRun> sweep_runs(const SweepFile& sweep)
     return runs;
 }
 
-std::string case_identity(Options options)
+std::string case_identity(config::Options options)
 {
-    const OutputOptions defaults;
+    const config::OutputOptions defaults;
     options.output.pictures = defaults.pictures;
     options.output.picture_times = defaults.picture_times;
     options.output.checkpoint_minutes = defaults.checkpoint_minutes;
-    forget_names(options);
-    return to_toml(options);
+    config::forget_names(options);
+    return config::to_toml(options);
 }
 
 std::vector<bool> chosen_runs(const SweepFile& sweep, std::span<const SweepRun> runs, std::span<const std::string> only)
@@ -228,7 +229,7 @@ std::vector<bool> chosen_runs(const SweepFile& sweep, std::span<const SweepRun> 
             throw InputError(
                 fmt::format("--only {}: no such run; expected a number from 1 to {}, a name such as {}, or "
                             "KEY=VALUE of an axis",
-                            printable(text), runs.size(), runs.front().name));
+                            config::printable(text), runs.size(), runs.front().name));
         }
     }
     return chosen;
@@ -263,4 +264,4 @@ std::vector<std::optional<std::size_t>> given_references(const SweepFile& sweep,
     return references;
 }
 
-} // namespace corticle
+} // namespace corticle::sweep

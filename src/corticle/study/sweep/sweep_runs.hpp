@@ -8,7 +8,7 @@
 
 #include <span>
 
-namespace corticle
+namespace corticle::sweep
 {
 
 /// One run of a sweep.
@@ -16,7 +16,7 @@ struct SweepRun
 {
     std::string name;            ///< of its axis places: "cfl-0.4_particles-8000"
     std::vector<std::size_t> at; ///< place on each axis
-    Options options;
+    config::Options options;
     std::string case_text; ///< resolved, see to_toml
 };
 
@@ -30,7 +30,7 @@ std::vector<SweepRun> sweep_runs(const SweepFile& sweep);
 
 /// What makes two runs give the same numbers: the resolved case, files by their content, without the keys that only
 /// decide about pictures and checkpoints.
-std::string case_identity(Options options);
+std::string case_identity(config::Options options);
 
 /// The runs that `only` names, each by its number (from 1), its name, or "section.key=value" for all runs with this
 /// value; all where it is empty.
@@ -42,4 +42,4 @@ std::vector<bool> chosen_runs(const SweepFile& sweep, std::span<const SweepRun> 
 /// (finest). @throws InputError when the sweep refers to a run that does not exist
 std::vector<std::optional<std::size_t>> given_references(const SweepFile& sweep, std::span<const SweepRun> runs);
 
-} // namespace corticle
+} // namespace corticle::sweep

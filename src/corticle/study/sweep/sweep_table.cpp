@@ -11,7 +11,7 @@
 #include <cmath>
 #include <tuple>
 
-namespace corticle
+namespace corticle::sweep
 {
 
 namespace
@@ -24,10 +24,10 @@ double measure_at(const std::filesystem::path& folder, const std::string& key, d
 {
     try
     {
-        const RunContents run = read_run(folder);
+        const record::RunContents run = record::read_run(folder);
         const auto& columns = run.measures.columns;
-        const auto column = std::ranges::find(columns, key, measure_key);
-        return column == columns.end() ? none : interpolate(run.measures.find("t")->values, column->values, t);
+        const auto column = std::ranges::find(columns, key, study::measure_key);
+        return column == columns.end() ? none : metrics::interpolate(run.measures.find("t")->values, column->values, t);
     }
     catch (const InputError&)
     {
@@ -53,7 +53,7 @@ JDifference difference(const std::array<std::filesystem::path, 2>& folders, doub
 {
     try
     {
-        const JComparison found = compare_last_J(folders, latest);
+        const study::JComparison found = study::compare_last_J(folders, latest);
         return {found.J.mean, found.t[1], found.J.interpolation_error};
     }
     catch (const InputError&)
@@ -77,7 +77,7 @@ double SweepRow::step_s() const
 
 void require_known_measures(const SweepFile& sweep)
 {
-    const std::vector<std::string> known = summary_number_keys();
+    const std::vector<std::string> known = record::summary_number_keys();
     for (const SweepMeasure& measure : sweep.measures)
     {
         if (std::ranges::find(known, measure.key) == known.end())
@@ -85,7 +85,7 @@ void require_known_measures(const SweepFile& sweep)
             throw InputError(
                 fmt::format("measures ({}): got \"{}\", expected keys of summary.json that are numbers, such "
                             "as gi_hull, or KEY@T",
-                            measure.where, printable(measure.text)));
+                            measure.where, config::printable(measure.text)));
         }
     }
 }
@@ -131,4 +131,4 @@ void compare_to_references(SweepTable& table)
     }
 }
 
-} // namespace corticle
+} // namespace corticle::sweep

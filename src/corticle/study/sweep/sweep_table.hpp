@@ -5,7 +5,7 @@
 #include "corticle/study/comparison.hpp"
 #include "corticle/study/sweep/sweep_folder.hpp"
 
-namespace corticle
+namespace corticle::sweep
 {
 
 /// How far J of a run is from that of its reference run.
@@ -55,16 +55,16 @@ void compare_to_references(SweepTable& table);
 std::string sweep_csv(const SweepTable& table);
 
 /// sweep.md: the same as a table for people, the failures with their reasons, and links to the pictures.
-std::string sweep_markdown(const SweepTable& table, const Pictures& pictures);
+std::string sweep_markdown(const SweepTable& table, const study::Pictures& pictures);
 
 /// sweep.json: all that is known.
-std::string sweep_json(const SweepTable& table, const Pictures& pictures);
+std::string sweep_json(const SweepTable& table, const study::Pictures& pictures);
 
 /// The pictures that draw_sweep may draw, relative to the folder of the sweep.
 std::vector<std::string> sweep_pictures(const SweepTable& table);
 
 /// Draws plots/*.png, the measures and the running time against each axis, and surfaces.png, all surfaces at the end of
 /// their runs, into the folder of the sweep. @throws RunError
-Pictures draw_sweep(const SweepTable& table, ResultFolder& folder);
+study::Pictures draw_sweep(const SweepTable& table, record::ResultFolder& folder);
 
-} // namespace corticle
+} // namespace corticle::sweep
