@@ -3,6 +3,7 @@
 
 #include "corticle/geometry/alpha_wrap.hpp"
 #include "corticle/geometry/hull.hpp"
+#include "corticle/mesh/sizes.hpp"
 #include "corticle/metrics/local_gyrification.hpp"
 #include "corticle/metrics/spectrum.hpp"
 #include "corticle/metrics/sulcal_depth.hpp"
@@ -72,6 +73,7 @@ double curvature_wavelength(std::span<const Vec3> vertices, std::span<const Tria
 
 FoldFields fold_fields(std::span<const Vec3> vertices, std::span<const Triangle> triangles, const FoldOptions& options)
 {
+    require_triangles(vertices, triangles);
     const TriangleMesh around = outer_surface(vertices, triangles, options);
     const geometry::SurfaceTree outer(around.vertices, around.triangles);
     const double least_ball = least_ball_share * std::sqrt(surface_area(around.vertices, around.triangles));
@@ -83,6 +85,10 @@ FoldFields fold_fields(std::span<const Vec3> vertices, std::span<const Triangle>
 FoldMeasures measure_folds(std::span<const Vec3> vertices, std::span<const Triangle> triangles,
                            const FoldFields& fields, const FoldOptions& options)
 {
+    require_triangles(vertices, triangles);
+    require_size("curvature of the vertices", fields.curvature.mean.size(), vertices.size());
+    require_size("sulcal depth of the vertices", fields.sulcal_depth.size(), vertices.size());
+    require_size("local gyrification of the vertices", fields.local_gyrification.size(), vertices.size());
     const std::vector<double> areas = vertex_areas(vertices, triangles);
     const auto mean = [&](std::span<const double> values)
     { return area_mean(areas, [values](std::size_t v) { return std::abs(values[v]); }); };

@@ -5,6 +5,7 @@
 #include "corticle/base/parallel.hpp"
 #include "corticle/geometry/hull.hpp"
 #include "corticle/geometry/triangle_tests.hpp"
+#include "corticle/mesh/sizes.hpp"
 
 #include <array>
 #include <limits>
@@ -43,6 +44,7 @@ double distance_to_pierced(const Vec3& point, const Vec3& normal, const Triangle
 
 SurfaceMeasures measure_surface(std::span<const Vec3> vertices, std::span<const Triangle> triangles)
 {
+    require_triangles(vertices, triangles);
     SurfaceMeasures m;
     m.area_mm2 = surface_area(vertices, triangles);
     m.volume_mm3 = enclosed_volume(vertices, triangles);

@@ -3,6 +3,7 @@
 
 #include "corticle/base/parallel.hpp"
 #include "corticle/base/simd.hpp"
+#include "corticle/mesh/sizes.hpp"
 
 #include <fmt/format.h>
 
@@ -51,16 +52,24 @@ std::vector<std::int32_t> as_numbered(std::size_t count)
     return places;
 }
 
+std::span<const Triangle> checked(std::span<const Triangle> triangles, std::span<const Vec3> vertices)
+{
+    require_triangles(vertices, triangles);
+    return triangles;
+}
+
 } // namespace
 
 SurfaceContact::SurfaceContact(std::span<const Triangle> triangles, std::span<const Vec3> rest,
                                std::vector<double> masses, double spacing, double frequency,
                                const ContactOptions& options, std::vector<std::int32_t> places)
-    : near_(triangles, rest, options.distance * spacing, spacing), masses_(std::move(masses)),
+    : near_(checked(triangles, rest), rest, options.distance * spacing, spacing), masses_(std::move(masses)),
       places_(places.empty() ? as_numbered(rest.size()) : std::move(places)), loads_{std::vector<Vec3>(rest.size()),
                                                                                      std::vector<Vec3>(rest.size())},
       rate_of_vertex_(rest.size())
 {
+    require_size("masses of the surface", masses_.size(), rest.size());
+    require_size("places of the surface", places_.size(), rest.size());
     const double range = near_.range();
     const auto barrier = [&](double mass) {
         return Barrier{range, options.stiffness * mass * frequency * frequency * range};

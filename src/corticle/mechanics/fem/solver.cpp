@@ -5,6 +5,7 @@
 #include "corticle/base/simd.hpp"
 #include "corticle/material/neo_hookean.hpp"
 #include "corticle/mechanics/fem/passes.hpp"
+#include "corticle/mesh/sizes.hpp"
 
 #include <fmt/format.h>
 
@@ -76,6 +77,8 @@ mechanics::InternalResponse FemSolver::evaluate_volumes(std::span<const Vec3> x,
 
 mechanics::InternalResponse FemSolver::evaluate(std::span<const Vec3> x, double t, std::span<Vec3> forces)
 {
+    require_size("positions", x.size(), elements_.X.size());
+    require_size("forces", forces.size(), elements_.X.size());
     mechanics::InternalResponse total = evaluate_volumes(x, t);
     if (total.invalid_at >= 0)
     {
@@ -125,6 +128,7 @@ mechanics::InternalResponse FemSolver::evaluate(std::span<const Vec3> x, double 
 
 std::vector<Mat3> FemSolver::deformation_gradients(std::span<const Vec3> x) const
 {
+    require_size("positions", x.size(), elements_.X.size());
     std::vector<Mat3> F(x.size());
     for (std::size_t e = 0; e < elements_.tets.size(); ++e)
     {

@@ -5,6 +5,7 @@
 #include "corticle/mechanics/thesis/printed_law.hpp"
 #include "corticle/mechanics/tlsph/particle_law.hpp"
 #include "corticle/mechanics/tlsph/response.hpp"
+#include "corticle/mesh/sizes.hpp"
 
 #include <limits>
 
@@ -210,6 +211,8 @@ void PrintedSolver::fill_positions(std::span<const Vec3> x, std::vector<SumRecor
 
 mechanics::InternalResponse PrintedSolver::evaluate(std::span<const Vec3> x, double t, std::span<Vec3> forces)
 {
+    require_size("positions", x.size(), particles_.X.size());
+    require_size("forces", forces.size(), particles_.X.size());
     fill_positions(x, positions_);
     const PassInput in{particles_, tissue_, options_, groups_, origin_, positions_.data(), x.data(), t};
     const PassOutput out{stresses_.data(), stress_.empty() ? nullptr : stress_.data(), forces.data()};
@@ -280,6 +283,7 @@ double PrintedSolver::add_viscous_forces(std::span<const Vec3> x, std::span<cons
 
 std::vector<Mat3> PrintedSolver::deformation_gradients(std::span<const Vec3> x) const
 {
+    require_size("positions", x.size(), particles_.X.size());
     std::vector<SumRecord> records(x.size());
     fill_positions(x, records);
     std::vector<Mat3> F(x.size());

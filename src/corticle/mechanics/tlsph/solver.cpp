@@ -4,6 +4,7 @@
 #include "corticle/material/neo_hookean.hpp"
 #include "corticle/mechanics/tlsph/deformation_pass.hpp"
 #include "corticle/mechanics/tlsph/response.hpp"
+#include "corticle/mesh/sizes.hpp"
 
 #include <limits>
 
@@ -63,6 +64,8 @@ TlsphSolver::~TlsphSolver() = default;
 
 mechanics::InternalResponse TlsphSolver::evaluate(std::span<const Vec3> x, double t, std::span<Vec3> forces)
 {
+    require_size("positions", x.size(), particles_.X.size());
+    require_size("forces", forces.size(), particles_.X.size());
     const PassInput in{tissue_, t, x.data()};
     const PassOutput out{records_.data(), forces.data()};
     mechanics::InternalResponse initial;
@@ -101,6 +104,7 @@ mechanics::InternalResponse TlsphSolver::evaluate(std::span<const Vec3> x, doubl
 
 std::vector<Mat3> TlsphSolver::deformation_gradients(std::span<const Vec3> x) const
 {
+    require_size("positions", x.size(), particles_.X.size());
     std::vector<Mat3> F(x.size());
     PerThread<std::vector<PairTerms>> terms;
     terms.fit();
