@@ -41,19 +41,19 @@ using ScalarOf = typename RealTraits<Real>::Scalar;
 /// What vectors, matrices and the laws of the tissue are made of: one number in double or single precision, those of
 /// eight material points at once, or one that carries a derivative along.
 template <class Real>
-concept RealLike = !std::integral<Real> && requires(const Real& a, Real& b, ScalarOf<Real> s)
+concept RealLike = !std::integral<Real> && requires(const Real& a, const Real& b, Real& sum, ScalarOf<Real> s)
 {
     {
-        a + a
+        a + b
         } -> std::convertible_to<Real>;
     {
-        a - a
+        a - b
         } -> std::convertible_to<Real>;
     {
-        a* a
+        a* b
         } -> std::convertible_to<Real>;
     {
-        a / a
+        a / b
         } -> std::convertible_to<Real>;
     {
         s* a
@@ -64,7 +64,7 @@ concept RealLike = !std::integral<Real> && requires(const Real& a, Real& b, Scal
     {
         -a
         } -> std::convertible_to<Real>;
-    b += a;
+    sum += a;
     a < s;
 };
 

@@ -67,8 +67,8 @@ State starting_state(const Model& model, const SimulationOptions& options)
 
 } // namespace
 
-Simulation::Simulation(std::shared_ptr<const Model> model, SimulationOptions options)
-    : model_(std::move(model)), options_(std::make_unique<const SimulationOptions>(std::move(options))),
+Simulation::Simulation(std::shared_ptr<const Model> model, const SimulationOptions& options)
+    : model_(std::move(model)), options_(std::make_unique<const SimulationOptions>(options)),
       state_(std::make_unique<State>(starting_state(*model_, *options_))), terms_(make_terms(*model_, *options_)),
       mass_(model_->cloud.volumes), total_time_(loading_time(*model_, *options_)),
       damping_(options_->dynamics.damping / total_time_),

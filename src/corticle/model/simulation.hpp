@@ -22,7 +22,7 @@ class Simulation
 {
   public:
     /// Several simulations may share a model.
-    Simulation(std::shared_ptr<const Model> model, SimulationOptions options);
+    Simulation(std::shared_ptr<const Model> model, const SimulationOptions& options);
 
     /// One more force on the nodes, from the present state on.
     void add_term(std::unique_ptr<mechanics::ForceTerm> term);
