@@ -2,6 +2,7 @@
 #include "corticle/model/simulation.hpp"
 
 #include "corticle/base/error.hpp"
+#include "corticle/base/gather.hpp"
 #include "corticle/base/parallel.hpp"
 #include "corticle/base/stopwatch.hpp"
 #include "corticle/mesh/triangle_mesh.hpp"
@@ -25,18 +26,6 @@ constexpr double step_recovery = 1.05; ///< factor by which a halved step grows 
 // A step of this share of that at rest makes a run of minutes one of weeks; steps of sound folds stay above a
 // twentieth.
 constexpr double least_step_share = 1e-4;
-
-template <class T>
-std::vector<T> gather(const std::vector<T>& values, std::span<const std::int32_t> at)
-{
-    std::vector<T> result;
-    result.reserve(at.size());
-    for (const std::int32_t k : at)
-    {
-        result.push_back(values[static_cast<std::size_t>(k)]);
-    }
-    return result;
-}
 
 double loading_time(const Model& model, const SimulationOptions& options)
 {
@@ -309,7 +298,7 @@ double Simulation::seconds_of(std::string_view term) const
 
 std::vector<Vec3> Simulation::surface_positions() const
 {
-    return gather(state_->motion.x, model_->cloud.surface_particles);
+    return gather<Vec3>(state_->motion.x, model_->cloud.surface_particles);
 }
 
 Vec3 Simulation::place_of_smallest_J() const

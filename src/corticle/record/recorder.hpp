@@ -36,9 +36,10 @@ class Recorder final : public model::Observer
     /// Goes on with the wall time and the steps of an earlier session.
     void resume(std::int64_t steps);
 
+    void on_step(const model::Simulation& /*simulation*/) override { frame_ = {}; }
     void on_output(const model::OutputView& view) override;
 
-    /// The frame of the last output.
+    /// The frame of the last output, until the next step: it holds a copy of the body.
     const Frame& frame() const { return frame_; }
     /// Wall time spent in files and pictures [s]; those who write beside the recorder add to it.
     double& output_seconds() { return output_s_; }

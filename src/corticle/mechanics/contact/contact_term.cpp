@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/mechanics/contact/contact_term.hpp"
 
+#include "corticle/base/gather.hpp"
 #include "corticle/base/parallel.hpp"
 
 #include <algorithm>
@@ -15,17 +16,6 @@ std::vector<std::int32_t> sorted(std::vector<std::int32_t> numbers)
 {
     std::ranges::sort(numbers);
     return numbers;
-}
-
-std::vector<double> values_at(std::span<const double> values, std::span<const std::int32_t> places)
-{
-    std::vector<double> result;
-    result.reserve(places.size());
-    for (const std::int32_t k : places)
-    {
-        result.push_back(values[static_cast<std::size_t>(k)]);
-    }
-    return result;
 }
 
 /// Contact of the body's surface, whose vertices are numbered as in `particles`.
@@ -56,7 +46,7 @@ SurfaceContact contact_of(const Cloud& cloud, const TriangleMesh& surface, std::
 
 ContactTerm::ContactTerm(const Cloud& cloud, const TriangleMesh& surface, std::span<const double> masses,
                          double frequency, const ContactOptions& options, bool fixed_step)
-    : particles_(sorted(cloud.surface_particles)), masses_(values_at(masses, particles_)),
+    : particles_(sorted(cloud.surface_particles)), masses_(gather<double>(masses, particles_)),
       contact_(contact_of(cloud, surface, particles_, masses_, frequency, options)), fixed_step_(fixed_step)
 {
 }
