@@ -3,7 +3,7 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
-#include "corticle/cloud/cell_volumes.hpp"
+#include "corticle/cloud/cells.hpp"
 #include "corticle/cloud/quality.hpp"
 #include "corticle/geometry/shapes.hpp"
 #include "corticle/mesh/space_filling_curve.hpp"
@@ -136,7 +136,7 @@ TEST(CellVolumes, AreThoseOfALattice)
     {
         points.push_back({0.5 + k / 16, 0.5 + k / 4 % 4, 0.5 + k % 4});
     }
-    const std::vector<double> volumes = cloud::cell_volumes(box, points, 1.0);
+    const std::vector<double> volumes = cloud::cells_of(box, points, 1.0).volumes;
     for (const double volume : volumes)
     {
         EXPECT_NEAR(volume, 1.0, 1e-9); // exact: the lines are spaced by 1/6, so each cell has 36 of them

@@ -2,7 +2,7 @@
 #include "corticle/cloud/fill.hpp"
 
 #include "corticle/base/error.hpp"
-#include "corticle/cloud/cell_volumes.hpp"
+#include "corticle/cloud/cells.hpp"
 #include "corticle/cloud/interior.hpp"
 #include "corticle/cloud/ordered_cloud.hpp"
 
@@ -46,7 +46,7 @@ Cloud fill_surface(const TriangleMesh& surface, const CloudOptions& options)
     const std::vector<Vec3> inside = scatter_inside(tree, inside_count, options);
     points.insert(points.end(), inside.begin(), inside.end());
     relax_inside(tree, options.spacing, points);
-    return ordered_cloud(points, cell_volumes(surface, points, options.spacing), surface);
+    return ordered_cloud(points, cells_of(surface, points, options.spacing), surface);
 }
 
 } // namespace corticle::cloud

@@ -3,7 +3,7 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
-#include "corticle/cloud/cell_volumes.hpp"
+#include "corticle/cloud/cells.hpp"
 #include "corticle/cloud/fill.hpp"
 #include "corticle/cloud/ordered_cloud.hpp"
 #include "corticle/cloud/quality.hpp"
@@ -87,12 +87,14 @@ TetCloud every_node(const TetMesh& mesh)
     TetBoundary boundary = boundary_of(mesh);
     const std::vector<double> node_volume = node_volumes(mesh);
     std::vector<Vec3> points = boundary.surface.vertices;
-    std::vector<double> volumes;
+    const std::vector<Vec3> node_centroid = node_centroids(mesh);
+    Cells cells;
     std::vector<std::int32_t> point_of(mesh.vertices.size(), -1);
     for (const std::int32_t node : boundary.nodes)
     {
-        point_of[node] = static_cast<std::int32_t>(volumes.size());
-        volumes.push_back(node_volume[node]);
+        point_of[node] = static_cast<std::int32_t>(cells.volumes.size());
+        cells.volumes.push_back(node_volume[node]);
+        cells.centroids.push_back(node_centroid[node]);
     }
     for (std::size_t node = 0; node < mesh.vertices.size(); ++node)
     {
@@ -100,12 +102,13 @@ TetCloud every_node(const TetMesh& mesh)
         {
             point_of[node] = static_cast<std::int32_t>(points.size());
             points.push_back(mesh.vertices[node]);
-            volumes.push_back(node_volume[node]);
+            cells.volumes.push_back(node_volume[node]);
+            cells.centroids.push_back(node_centroid[node]);
         }
     }
     TetCloud result;
     std::vector<std::int32_t> particle_of;
-    result.cloud = ordered_cloud(points, volumes, boundary.surface, &particle_of);
+    result.cloud = ordered_cloud(points, cells, boundary.surface, &particle_of);
     result.surface = std::move(boundary.surface);
     for (const Tet& tet : mesh.tets)
     {
@@ -125,7 +128,7 @@ TetCloud thinned(const TetMesh& mesh, std::int64_t wanted, const TetCloudOptions
     const std::vector<Vec3> chosen = chosen_nodes(mesh, result.surface, inside, spacing, options);
     std::vector<Vec3> points = result.surface.vertices;
     points.insert(points.end(), chosen.begin(), chosen.end());
-    result.cloud = ordered_cloud(points, cell_volumes(result.surface, points, spacing), result.surface);
+    result.cloud = ordered_cloud(points, cells_of(result.surface, points, spacing), result.surface);
     if (std::ssize(chosen) < inside)
     {
         result.warnings.push_back(

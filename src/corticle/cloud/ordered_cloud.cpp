@@ -8,7 +8,7 @@
 namespace corticle::cloud
 {
 
-Cloud ordered_cloud(std::span<const Vec3> points, std::span<const double> volumes, const TriangleMesh& surface,
+Cloud ordered_cloud(std::span<const Vec3> points, const Cells& cells, const TriangleMesh& surface,
                     std::vector<std::int32_t>* particle_of)
 {
     Cloud cloud;
@@ -17,7 +17,8 @@ Cloud ordered_cloud(std::span<const Vec3> points, std::span<const double> volume
     for (std::size_t k = 0; k < order.size(); ++k)
     {
         cloud.positions.push_back(points[order[k]]);
-        cloud.volumes.push_back(volumes[order[k]]);
+        cloud.volumes.push_back(cells.volumes[order[k]]);
+        cloud.centroids.push_back(cells.centroids[order[k]]);
         if (static_cast<std::size_t>(order[k]) < surface.vertices.size())
         {
             cloud.surface_particles[order[k]] = static_cast<std::int32_t>(k);

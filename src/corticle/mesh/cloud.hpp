@@ -15,6 +15,7 @@ struct Cloud
 {
     std::vector<Vec3> positions;                 ///< X [mm], one per particle
     std::vector<double> volumes;                 ///< V [mm³], one per particle; their sum is the enclosed volume
+    std::vector<Vec3> centroids;                 ///< of the cells that the volumes are of [mm], one per particle
     std::vector<std::int32_t> surface_particles; ///< particle that sits on each vertex of the surface
     std::vector<Triangle> surface_triangles;     ///< vertices of each triangle, indices into surface_particles
     double spacing = 0.0;                        ///< mean distance between adjacent particles [mm]

@@ -89,6 +89,33 @@ std::vector<double> node_volumes(const TetMesh& mesh)
     return volumes;
 }
 
+std::vector<Vec3> node_centroids(const TetMesh& mesh)
+{
+    constexpr double own = 25.0 / 48.0; // barycentric coordinates of the centroid of a quarter
+    constexpr double other = 23.0 / 144.0;
+    const std::vector<double> volumes = tet_volumes(mesh);
+    std::vector<Vec3> moments(mesh.vertices.size());
+    std::vector<double> weights(mesh.vertices.size(), 0.0);
+    for (std::size_t t = 0; t < mesh.tets.size(); ++t)
+    {
+        Vec3 sum;
+        for (const std::int32_t node : mesh.tets[t])
+        {
+            sum += mesh.vertices[node];
+        }
+        for (const std::int32_t node : mesh.tets[t])
+        {
+            moments[node] += volumes[t] * (other * sum + (own - other) * mesh.vertices[node]);
+            weights[node] += volumes[t];
+        }
+    }
+    for (std::size_t node = 0; node < moments.size(); ++node)
+    {
+        moments[node] = weights[node] > 0.0 ? moments[node] / weights[node] : mesh.vertices[node];
+    }
+    return moments;
+}
+
 double mean_ratio(std::span<const Vec3> vertices, const Tet& tet)
 {
     double squared_edges = 0.0;

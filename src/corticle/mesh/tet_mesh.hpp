@@ -28,6 +28,9 @@ std::vector<double> tet_volumes(const TetMesh& mesh);
 /// Lumped volumes: a quarter of every tet to each of its nodes [mm³]; their sum is the volume of the mesh.
 std::vector<double> node_volumes(const TetMesh& mesh);
 
+/// Centroids of those quarters, each the part of the tet where its node has the largest barycentric coordinate [mm].
+std::vector<Vec3> node_centroids(const TetMesh& mesh);
+
 /// Shape of a tet: 12 (3 V)^(2/3) / sum of squared edges (mean ratio, Liu & Joe 1994), 1 for a regular tet, 0 for a
 /// flat one, whatever its sense.
 double mean_ratio(std::span<const Vec3> vertices, const Tet& tet);

@@ -39,6 +39,13 @@ void set_depth(const geometry::SurfaceTree& tree, std::span<const Vec3> places, 
                  });
 }
 
+/// Where the material of each node is: with particles the centroids of their cells, of which F is too
+/// (theory/tlsph.md); with elements, whose material is elsewhere, the nodes.
+std::span<const Vec3> material_places(const model::Model& model)
+{
+    return model.fem ? model.cloud.positions : model.cloud.centroids;
+}
+
 BodyMaps set_maps(const MapOptions& options, const TriangleMesh& map_surface, std::span<const Vec3> places,
                   material::TissueFields& tissue)
 {
@@ -238,14 +245,11 @@ Preparation arrange_body(const PreparationOptions& options)
     made.report.inputs = std::move(source.reports);
     made.report.input_vertices = std::ssize(source.surface.vertices);
     set_cloud(options, source, made);
+    apply_thesis_volumes(options, model.cloud);
     const geometry::SurfaceTree tree(model.surface.vertices, model.surface.triangles);
-    set_depth(tree, model.cloud.positions, model.tissue);
-    for (const std::int32_t particle : model.cloud.surface_particles)
-    {
-        model.tissue.depth[particle] = 0.0; // exactly
-    }
-    apply_thesis_choices(options, model);
-    BodyMaps maps = set_maps(options.map, source.map_surface, model.cloud.positions, model.tissue);
+    set_depth(tree, material_places(model), model.tissue);
+    apply_thesis_normals(options, model);
+    BodyMaps maps = set_maps(options.map, source.map_surface, material_places(model), model.tissue);
     std::ranges::move(maps.notes, std::back_inserter(made.report.notes));
     std::ranges::move(maps.warnings, std::back_inserter(made.report.warnings));
     if (model.fem)
@@ -262,8 +266,8 @@ void connect_body(const PreparationOptions& options, Preparation& made)
     model::Model& model = made.model;
     const std::vector<Vec3>& X = model.cloud.positions;
     const double mean = mean_thickness(options, model);
-    set_regional_rate(options, mean, X, model.tissue);
-    complete_tissue(options, X, X, model.cloud.volumes, model.tissue);
+    set_regional_rate(options, mean, material_places(model), model.tissue);
+    complete_tissue(options, X, material_places(model), model.cloud.volumes, model.tissue);
     if (model.fem)
     {
         const fem::TetElements& elements = model.fem->elements;

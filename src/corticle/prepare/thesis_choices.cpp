@@ -13,17 +13,22 @@
 namespace corticle::prepare
 {
 
-void apply_thesis_choices(const PreparationOptions& options, model::Model& model)
+void apply_thesis_volumes(const PreparationOptions& options, Cloud& cloud)
+{
+    if (options.geometry.volumes == VolumeRule::neighbour_count)
+    {
+        const double total = std::accumulate(cloud.volumes.begin(), cloud.volumes.end(), 0.0);
+        cloud.volumes = neighbor_count_volumes(cloud.positions, tlsph::support_mm(options.tlsph, cloud.spacing), total);
+        cloud.centroids = cloud.positions;
+    }
+}
+
+void apply_thesis_normals(const PreparationOptions& options, model::Model& model)
 {
     const GeometryOptions& geometry = options.geometry;
-    const std::vector<Vec3>& X = model.cloud.positions;
-    if (geometry.volumes == VolumeRule::neighbour_count)
-    {
-        const double total = std::accumulate(model.cloud.volumes.begin(), model.cloud.volumes.end(), 0.0);
-        model.cloud.volumes = neighbor_count_volumes(X, tlsph::support_mm(options.tlsph, model.cloud.spacing), total);
-    }
     if (geometry.normals == NormalRule::divisions)
     {
+        const std::vector<Vec3>& X = model.cloud.positions;
         model.tissue.normal = division_normals(X, triangle_normal_lines(model.surface),
                                                static_cast<std::int32_t>(geometry.normal_divisions), extents_centre(X));
     }

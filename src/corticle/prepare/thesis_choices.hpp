@@ -9,8 +9,11 @@ namespace corticle::prepare
 
 // What the thesis does its own way in preparing a body, where the options ask for it.
 
-/// Volumes and normals of the thesis.
-void apply_thesis_choices(const PreparationOptions& options, model::Model& model);
+/// Volumes by neighbour counts, which are of no cells: the particles themselves are the material points.
+void apply_thesis_volumes(const PreparationOptions& options, Cloud& cloud);
+
+/// Normals in divisions of the sphere.
+void apply_thesis_normals(const PreparationOptions& options, model::Model& model);
 
 /// Whether the cortex is that of thesis eq. 24.
 bool has_layer_by_lambda(const PreparationOptions& options);

@@ -89,6 +89,7 @@ void write_body(const std::filesystem::path& file, const prepare::Preparation& m
     image.program_version = program_version();
     image.case_text = config::to_toml(options);
     image.vectors["body.position"] = model.cloud.positions;
+    image.vectors["body.centroid"] = model.cloud.centroids;
     store_tissue(model.tissue, "body.", image);
     image.vectors["body.surface_vertex"] = model.surface.vertices;
     image.scalars["body.volume"] = model.cloud.volumes;
@@ -116,6 +117,7 @@ prepare::Preparation read_body(const std::filesystem::path& file, const config::
     model::Model& model = made.model;
     model.cloud.positions = vectors("position");
     model.cloud.volumes = scalars("volume");
+    model.cloud.centroids = vectors("centroid");
     model.cloud.spacing = scalars("spacing").at(0);
     const std::vector<std::int64_t> surface_particles = integers("surface_particle");
     model.cloud.surface_particles.assign(surface_particles.begin(), surface_particles.end());

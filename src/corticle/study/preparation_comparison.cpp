@@ -2,7 +2,7 @@
 #include "corticle/study/preparation_comparison.hpp"
 
 #include "corticle/base/parallel.hpp"
-#include "corticle/cloud/cell_volumes.hpp"
+#include "corticle/cloud/cells.hpp"
 #include "corticle/cloud/fill.hpp"
 #include "corticle/cloud/thinning.hpp"
 #include "corticle/geometry/remesh.hpp"
@@ -109,7 +109,7 @@ Exact exact_answers(const model::Model& model, const config::Options& options, c
     {
         set_surface(model, tree, exact);
     }
-    exact.volume = cloud::cell_volumes(model.surface, model.cloud.positions, model.cloud.spacing, fine_lines);
+    exact.volume = cloud::cells_of(model.surface, model.cloud.positions, model.cloud.spacing, fine_lines).volumes;
     exact.total_volume = enclosed_volume(model.surface.vertices, model.surface.triangles);
     const std::vector<double> thickness = exact_thickness(model, options);
     std::vector<double> inside;
@@ -235,7 +235,7 @@ OurTissue our_tissue(const model::Model& model, const config::Options& options, 
 {
     OurTissue ours;
     ours.thickness = model.tissue.thickness;
-    ours.volume = cloud::cell_volumes(model.surface, model.cloud.positions, model.cloud.spacing);
+    ours.volume = cloud::cells_of(model.surface, model.cloud.positions, model.cloud.spacing).volumes;
     ours.depth.resize(model.cloud.positions.size());
     ours.normal.resize(model.cloud.positions.size());
     parallel_for(std::ssize(ours.depth),

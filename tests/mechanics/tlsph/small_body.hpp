@@ -53,6 +53,17 @@ inline Body small_sphere()
     return {*small_model(), sphere_options(2500)};
 }
 
+/// The particles with linear gradients everywhere.
+inline tlsph::Particles without_enrichment(tlsph::Particles particles)
+{
+    tlsph::EnrichedGradients& enriched = particles.enriched;
+    std::ranges::fill(enriched.reach, tlsph::EnrichedGradients::Reach::none);
+    std::ranges::fill(enriched.at, -1);
+    enriched.gradient.clear();
+    particles.pairs.enriched_end.assign(particles.pairs.begin.begin(), particles.pairs.begin.end() - 1);
+    return particles;
+}
+
 /// A copy for simulations to share.
 inline std::shared_ptr<const model::Model> shared(const model::Model& model)
 {

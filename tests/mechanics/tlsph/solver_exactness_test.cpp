@@ -26,6 +26,10 @@ using test::small_sphere;
 
 const Mat3 stretch{{{1.2, 0.05, -0.1}, {0.1, 0.9, 0.2}, {-0.15, 0.1, 1.1}}};
 
+/// Round-off of F near the surface, where sums are of products of three coordinates instead of differences: they lose
+/// about the square of block over support in digits.
+constexpr double product_round_off = 1e-11;
+
 double force_scale(const test::Body& body)
 {
     return body.cloud.spacing * body.cloud.spacing;
@@ -39,12 +43,12 @@ TEST(TlsphExactness, RestIsFreeOfStrainAndForce)
     const mechanics::InternalResponse response = solver.evaluate(body.cloud.positions, 0.0, forces);
     EXPECT_EQ(response.invalid_at, -1);
     EXPECT_EQ(response.barrier_count, 0);
-    EXPECT_NEAR(response.smallest_J, 1.0, 1e-12);
+    EXPECT_NEAR(response.smallest_J, 1.0, product_round_off);
     for (const Mat3& F : solver.deformation_gradients(body.cloud.positions))
     {
-        EXPECT_LT(test::largest_difference(F, Mat3::identity()), 1e-12);
+        EXPECT_LT(test::largest_difference(F, Mat3::identity()), product_round_off);
     }
-    EXPECT_LT(largest_norm(forces), 1e-12 * force_scale(body));
+    EXPECT_LT(largest_norm(forces), 5.0 * product_round_off * force_scale(body));
 }
 
 TEST(TlsphExactness, AffineMotionIsReproducedEverywhere)
@@ -54,11 +58,11 @@ TEST(TlsphExactness, AffineMotionIsReproducedEverywhere)
     const std::vector<Vec3> x = affine(body.cloud.positions, stretch, {3.0, -7.0, 2.0});
     for (const Mat3& F : solver.deformation_gradients(x))
     {
-        EXPECT_LT(test::largest_difference(F, stretch), 1e-12);
+        EXPECT_LT(test::largest_difference(F, stretch), product_round_off);
     }
     std::vector<Vec3> forces(x.size());
     const mechanics::InternalResponse response = solver.evaluate(x, 0.0, forces);
-    EXPECT_NEAR(response.smallest_J, determinant(stretch), 1e-12);
+    EXPECT_NEAR(response.smallest_J, determinant(stretch), product_round_off);
     // An affine motion has no zero-energy part: what remains is the round-off of sums as large as the elastic energy.
     EXPECT_LT(std::abs(response.zero_mode_energy), 1e-12 * response.elastic_energy);
 }
@@ -74,7 +78,7 @@ TEST(TlsphExactness, RigidRotationCostsNothing)
     const double volume = std::accumulate(body.cloud.volumes.begin(), body.cloud.volumes.end(), 0.0);
     EXPECT_LT(std::abs(response.elastic_energy), 1e-13 * volume);
     EXPECT_LT(std::abs(response.zero_mode_energy), 1e-13 * volume);
-    EXPECT_LT(largest_norm(forces), 1e-12 * force_scale(body));
+    EXPECT_LT(largest_norm(forces), product_round_off * force_scale(body));
 }
 
 TEST(TlsphExactness, FreeIsotropicGrowthIsFreeOfForceAndStress)
@@ -88,9 +92,9 @@ TEST(TlsphExactness, FreeIsotropicGrowthIsFreeOfForceAndStress)
     const std::vector<Vec3> x = affine(body.cloud.positions, g * Mat3::identity());
     std::vector<Vec3> forces(x.size());
     const mechanics::InternalResponse response = solver.evaluate(x, t, forces);
-    EXPECT_LT(largest_norm(forces), 1e-11 * force_scale(body)); // moduli grow with g², to 3 here
+    EXPECT_LT(largest_norm(forces), 10.0 * product_round_off * force_scale(body)); // moduli grow with g², to 3 here
     EXPECT_LT(std::abs(response.elastic_energy), 1e-12 * 8173.0);
-    EXPECT_NEAR(response.smallest_J, g * g * g, 1e-11);
+    EXPECT_NEAR(response.smallest_J, g * g * g, 10.0 * product_round_off);
     // The volume is g³ times the old one because the surface is made of particles.
     std::vector<Vec3> surface;
     for (const std::int32_t i : body.cloud.surface_particles)

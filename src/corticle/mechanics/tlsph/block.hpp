@@ -3,6 +3,7 @@
 
 #include "corticle/base/wide_group.hpp"
 #include "corticle/mechanics/tlsph/pair_sums.hpp"
+#include "corticle/mechanics/tlsph/particle_law.hpp"
 #include "corticle/mechanics/tlsph/particles.hpp"
 
 #include <algorithm>
@@ -23,6 +24,9 @@ struct Block
     Vec3 X_origin;
     Vec3 x_origin;
 
+    /// How far enriched gradients reach into the block.
+    EnrichedGradients::Reach farthest() const { return particles.enriched.farthest(begin, end); }
+
     std::span<const std::int32_t> table() const { return particles.pairs.table_of(begin / particles.pairs.block_size); }
 };
 
@@ -39,27 +43,27 @@ CORTICLE_INLINE std::int32_t ahead_of(std::span<const std::int32_t> table, std::
     return table[std::min(row + rows_ahead, table.size() - 1)];
 }
 
-CORTICLE_INLINE void fill_deformation_terms(const Block& block, const Vec3* x, std::vector<PairTerms>& terms)
+/// Writes what the particles in the table of a block contribute to the deformation of its own.
+CORTICLE_INLINE void fill_deformation_terms(const Block& block, const Vec3* x, BlockTerms& terms)
 {
     const auto table = block.table();
-    terms.resize(table.size());
+    const EnrichedGradients& enriched = block.particles.enriched;
+    const bool has_products = block.farthest() == EnrichedGradients::Reach::itself;
+    terms.linear.resize(table.size());
+    terms.products.resize(has_products ? table.size() : 0);
     for (std::size_t m = 0; m < table.size(); ++m)
     {
         const std::int32_t j = table[m];
         const std::int32_t soon = ahead_of(table, m);
         read_soon(&block.particles.X[soon]);
         read_soon(&x[soon]);
-        terms[m] = deformation_terms(block.particles.X[j] - block.X_origin, x[j] - block.x_origin);
+        const Vec3 X = block.particles.X[j] - block.X_origin;
+        terms.linear[m] = deformation_terms(X, x[j] - block.x_origin);
+        if (has_products && enriched.reach[j] != EnrichedGradients::Reach::none)
+        {
+            set_deformation_products(X, terms.linear[m], terms.products[m]);
+        }
     }
-}
-
-CORTICLE_INLINE DeformationSums<double> sum_deformation(const Block& block, const Vec3* x, std::int64_t i,
-                                                        const std::vector<PairTerms>& terms)
-{
-    PairTerms sum;
-    sum_terms(block.particles.pairs, i, terms.data(), sum);
-    return deformation_sums(sum, block.particles.X[i] - block.X_origin, x[i] - block.x_origin,
-                            block.particles.weighted_sum[i]);
 }
 
 CORTICLE_INLINE WideVec3 gather(const WideGroup& group, const Vec3* values)
@@ -67,22 +71,93 @@ CORTICLE_INLINE WideVec3 gather(const WideGroup& group, const Vec3* values)
     return group.gather_vectors([&](std::int64_t i) -> const Vec3& { return values[i]; });
 }
 
-/// The same for eight particles.
-CORTICLE_INLINE DeformationSums<WideLanes> sum_deformation(const Block& block, const Vec3* x, const WideGroup& group,
-                                                           const std::vector<PairTerms>& terms)
+/// What the law needs to know of eight particles.
+struct GroupDeformation
 {
+    ParticleReference<WideLanes> reference;
+    DeformationSums<WideLanes> sums;
+    ParticleDeformation<WideLanes> deformation;
+};
+
+/// Of eight particles whose gradients are all linear.
+CORTICLE_INLINE GroupDeformation linear_deformation(const Block& block, const Vec3* x, const WideGroup& group,
+                                                    const BlockTerms& terms)
+{
+    const Particles& particles = block.particles;
     PairTerms sums[wide_lanes];
     for (std::int64_t lane = 0; lane < group.count; ++lane)
     {
-        sum_terms(block.particles.pairs, group.first + lane, terms.data(), sums[lane]);
+        sum_terms(particles.pairs, group.first + lane, terms, sums[lane]);
     }
     const WideGroup among{0, group.count};
     const BasicPairTerms<WideLanes> sum{
         among.gather_matrices([&](std::int64_t i) -> const Mat3& { return sums[i].matrix; }),
         among.gather_vectors([&](std::int64_t i) -> const Vec3& { return sums[i].vector; })};
-    return deformation_sums(sum, gather(group, block.particles.X.data()) - broadcast(block.X_origin),
-                            gather(group, x) - broadcast(block.x_origin),
-                            gather(group, block.particles.weighted_sum.data()));
+    GroupDeformation result;
+    result.reference.volume = group.gather(particles.volume.data());
+    result.reference.zeta = particles.options.zeta;
+    result.reference.weighted_sum = gather(group, particles.weighted_sum.data());
+    result.reference.correction =
+        group.gather_matrices([&](std::int64_t i) -> const Mat3& { return particles.correction[i]; });
+    result.reference.gradient = result.reference.correction;
+    result.sums = deformation_sums(sum, gather(group, particles.X.data()) - broadcast(block.X_origin),
+                                   gather(group, x) - broadcast(block.x_origin), result.reference.weighted_sum);
+    const WideMat3 F = result.sums.moment * result.reference.correction;
+    result.deformation = particle_deformation(F, F);
+    return result;
+}
+
+/// The enriched part of the gradients of eight particles.
+struct GroupEnrichment
+{
+    WideMat3 Q;
+    WideVec3 normal;
+    WideVec3 moment;
+};
+
+/// Of eight particles of which at least one has an enriched gradient.
+CORTICLE_INLINE GroupDeformation enriched_deformation(const Block& block, const Vec3* x, const WideGroup& group,
+                                                      const BlockTerms& terms, GroupEnrichment& enrichment)
+{
+    const Particles& particles = block.particles;
+    const EnrichedGradients& enriched = particles.enriched;
+    EnrichedTerms sums[wide_lanes];
+    for (std::int64_t lane = 0; lane < group.count; ++lane)
+    {
+        const std::int64_t i = group.first + lane;
+        enriched.reach[i] == EnrichedGradients::Reach::itself
+            ? sum_terms(particles.pairs, i, particles.pairs.begin[i + 1], terms, sums[lane])
+            : sum_terms(particles.pairs, i, terms, sums[lane].linear);
+    }
+    const WideGroup among{0, group.count};
+    BasicEnrichedTerms<WideLanes> sum;
+    sum.linear = {among.gather_matrices([&](std::int64_t i) -> const Mat3& { return sums[i].linear.matrix; }),
+                  among.gather_vectors([&](std::int64_t i) -> const Vec3& { return sums[i].linear.vector; })};
+    for (int p = 0; p < 4; ++p)
+    {
+        sum.products.column[p] =
+            among.gather_vectors([&](std::int64_t i) -> const Vec3& { return sums[i].products.column[p]; });
+    }
+    const WideGroup at{enriched.at[group.first], group.count};
+    const auto& gradient = enriched.gradient;
+    enrichment.Q = at.gather_matrices([&](std::int64_t i) -> const Mat3& { return gradient[i].Q; });
+    enrichment.normal = at.gather_vectors([&](std::int64_t i) -> const Vec3& { return gradient[i].normal; });
+    enrichment.moment = at.gather_vectors([&](std::int64_t i) -> const Vec3& { return gradient[i].moment; });
+    const WideVec3 X = gather(group, particles.X.data()) - broadcast(block.X_origin);
+    const WideVec3 now = gather(group, x) - broadcast(block.x_origin);
+    GroupDeformation result;
+    result.reference.volume = group.gather(particles.volume.data());
+    result.reference.zeta = particles.options.zeta;
+    result.reference.weighted_sum = gather(group, particles.weighted_sum.data());
+    result.reference.correction =
+        group.gather_matrices([&](std::int64_t i) -> const Mat3& { return particles.correction[i]; });
+    result.reference.gradient = at.gather_matrices([&](std::int64_t i) -> const Mat3& { return gradient[i].B; });
+    result.sums = deformation_sums(sum.linear, X, now, result.reference.weighted_sum);
+    const WideMat3 products = enriched_moment(sum, X, now, enrichment.normal, enrichment.moment);
+    result.deformation = particle_deformation(result.sums.moment * transpose(result.reference.gradient) +
+                                                  products * transpose(enrichment.Q),
+                                              result.sums.moment * result.reference.correction);
+    return result;
 }
 
 } // namespace corticle::tlsph

@@ -28,6 +28,7 @@ struct PassInput
 struct PassOutput
 {
     ForceRecord* records;
+    Mat3* enriched; ///< V_i P_i Q_i of the particles in EnrichedGradients::gradient; the fourth lanes hold n_i
     Vec3* own_force;
 };
 
@@ -41,7 +42,7 @@ class DeformationPass
     virtual ~DeformationPass() = default;
 
     /// @param terms  scratch memory   @param total  what the block finds is added to it
-    virtual void run(const Block& block, const PassInput& in, std::vector<PairTerms>& terms, const PassOutput& out,
+    virtual void run(const Block& block, const PassInput& in, BlockTerms& terms, const PassOutput& out,
                      mechanics::InternalResponse& total) const = 0;
 };
 
@@ -73,29 +74,34 @@ CORTICLE_INLINE void note_volumes(const WideGroup& group, WideLanes J, mechanics
 
 /// Stress, energies and force records of eight particles.
 template <bool plain, class Law>
-CORTICLE_INLINE void respond_in_lanes(const Law& law, const Block& block, const PassInput& in, const WideGroup& group,
-                                      const std::vector<PairTerms>& terms, const PassOutput& out, LaneSums& sum,
+CORTICLE_INLINE void respond_in_lanes(const Law& law, const PassInput& in, const WideGroup& group,
+                                      const GroupDeformation& local, const GroupEnrichment* enrichment,
+                                      std::int64_t enriched_at, const PassOutput& out, LaneSums& sum,
                                       mechanics::InternalResponse& total)
 {
-    const Particles& particles = block.particles;
-    const DeformationSums<WideLanes> sums = sum_deformation(block, in.x, group, terms);
-    const ParticleReference<WideLanes> reference{
-        group.gather(particles.volume.data()),
-        group.gather_matrices([&](std::int64_t i) -> const Mat3& { return particles.correction[i]; }),
-        gather(group, particles.weighted_sum.data()), particles.options.zeta};
-    const ParticleDeformation<WideLanes> deformation = particle_deformation(sums, reference.correction);
-    note_volumes(group, deformation.J, total);
-
+    note_volumes(group, local.deformation.J, total);
     const material::WideTissue tissue = plain ? material::plain_tissue(in.tissue, in.t, group)
-                                              : material::any_tissue(in.tissue, in.t, group, deformation.F);
-    const ParticleResponse<WideLanes> particle =
-        particle_response<plain>(law, tissue.point, tissue.normal, reference, sums, deformation);
+                                              : material::any_tissue(in.tissue, in.t, group, local.deformation.F);
+    ParticleResponse<WideLanes> particle =
+        particle_response<plain>(law, tissue.point, tissue.normal, local.reference, local.sums, local.deformation);
     sum.elastic_energy += group.counted(particle.elastic_energy);
     sum.zero_mode_energy += group.counted(particle.zero_mode_energy);
     sum.growth_power += group.counted(particle.growth_power);
     sum.stiffest_rate = larger<WideLanes>(sum.stiffest_rate, particle.rate);
     sum.barrier_count += group.counted(particle.J_e < law.barrier_J ? broadcast<WideLanes>(1.0) : WideLanes{});
-
+    if (enrichment != nullptr)
+    {
+        WideMat3 Q = particle.stress * enrichment->Q;
+        particle.own_force += Q * enrichment->moment;
+        Q.column[0].lane = enrichment->normal.x;
+        Q.column[1].lane = enrichment->normal.y;
+        Q.column[2].lane = enrichment->normal.z;
+        const WideGroup at{enriched_at, group.count};
+        for (int c = 0; c < 3; ++c)
+        {
+            at.scatter_vectors(Q.column[c], [&](std::int64_t i) -> Vec3& { return out.enriched[i].column[c]; });
+        }
+    }
     WideVec3 x = gather(group, in.x);
     x.lane = particle.zeta;
     for (int c = 0; c < 3; ++c)
@@ -109,7 +115,7 @@ CORTICLE_INLINE void respond_in_lanes(const Law& law, const Block& block, const 
 
 /// `plain`: growth is that of Tissue::grows_plainly.
 template <bool plain, class Law>
-CORTICLE_EVERY_ISA void deform(const Law& law, const Block& block, const PassInput& in, std::vector<PairTerms>& terms,
+CORTICLE_EVERY_ISA void deform(const Law& law, const Block& block, const PassInput& in, BlockTerms& terms,
                                const PassOutput& out, mechanics::InternalResponse& total)
 {
     fill_deformation_terms(block, in.x, terms);
@@ -117,7 +123,17 @@ CORTICLE_EVERY_ISA void deform(const Law& law, const Block& block, const PassInp
     for (std::int64_t i = block.begin; i < block.end; i += wide_lanes)
     {
         const WideGroup group{i, std::min(wide_lanes, block.end - i)};
-        respond_in_lanes<plain>(law, block, in, group, terms, out, sum, total);
+        if (const std::int64_t at = block.particles.enriched.at[i]; at >= 0)
+        {
+            GroupEnrichment enrichment;
+            const GroupDeformation local = enriched_deformation(block, in.x, group, terms, enrichment);
+            respond_in_lanes<plain>(law, in, group, local, &enrichment, at, out, sum, total);
+        }
+        else
+        {
+            const GroupDeformation local = linear_deformation(block, in.x, group, terms);
+            respond_in_lanes<plain>(law, in, group, local, nullptr, at, out, sum, total);
+        }
     }
     total.elastic_energy += sum_of_lanes(sum.elastic_energy);
     total.zero_mode_energy += sum_of_lanes(sum.zero_mode_energy);
@@ -133,7 +149,7 @@ class LawPass final : public DeformationPass
   public:
     explicit LawPass(const Law& law) : law_(law) {}
 
-    void run(const Block& block, const PassInput& in, std::vector<PairTerms>& terms, const PassOutput& out,
+    void run(const Block& block, const PassInput& in, BlockTerms& terms, const PassOutput& out,
              mechanics::InternalResponse& total) const override
     {
         in.tissue.grows_plainly() ? deform<true>(law_, block, in, terms, out, total)

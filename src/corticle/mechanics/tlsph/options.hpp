@@ -8,7 +8,7 @@ struct TlsphOptions
 {
     double support = 2.3;   ///< support radius of the kernel [spacings]
     double kernel_mm = 0.0; ///< > 0: support radius in mm instead, of pairs whatever lies between them
-    double zeta = 0.1;      ///< strength of the zero-energy (hourglass) control [-]
+    double zeta = 0.02;     ///< strength of the zero-energy (hourglass) control [-]
 };
 
 /// Support radius of the kernel [mm] of a cloud with this spacing [mm].

@@ -55,6 +55,7 @@ PairBlocks make_pair_blocks(const Neighbors& neighbors)
         tables = tables_of(neighbors, pairs.block_size);
     }
     pairs.begin = neighbors.begin;
+    pairs.enriched_end.assign(pairs.begin.begin(), pairs.begin.end() - 1);
     pairs.place.resize(neighbors.index.size());
     pairs.weight.resize(neighbors.index.size());
     pairs.table_begin.assign(1, 0);

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "corticle/base/large_pages.hpp"
+#include "corticle/base/parallel.hpp"
 #include "corticle/mesh/neighbor_list.hpp"
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace corticle::tlsph
@@ -16,12 +18,13 @@ namespace corticle::tlsph
 /// table, in 2 bytes, and what the neighbours contribute to a sum is worked out once per block and read from a cache.
 struct PairBlocks
 {
-    std::int64_t block_size = 0;           ///< particles per block
-    std::vector<std::int64_t> begin;       ///< first pair of every particle; particles + 1 entries
-    LargeVector<std::uint16_t> place;      ///< of j in the table of the block of i, one per pair
-    LargeVector<float> weight;             ///< w_ij = V_i V_j omega_ij, one per pair, symmetric (see Particles)
-    std::vector<std::int64_t> table_begin; ///< first entry of every block's table; blocks + 1 entries
-    std::vector<std::int32_t> table;       ///< particles of the tables, ascending within each
+    std::int64_t block_size = 0;            ///< particles per block
+    std::vector<std::int64_t> begin;        ///< first pair of every particle; particles + 1 entries
+    std::vector<std::int64_t> enriched_end; ///< past the last pair with an enriched neighbour: those come first
+    LargeVector<std::uint16_t> place;       ///< of j in the table of the block of i, one per pair
+    LargeVector<float> weight;              ///< w_ij = V_i V_j omega_ij, one per pair, symmetric (see Particles)
+    std::vector<std::int64_t> table_begin;  ///< first entry of every block's table; blocks + 1 entries
+    std::vector<std::int32_t> table;        ///< particles of the tables, ascending within each
 
     std::int64_t size(std::int64_t i) const { return begin[i + 1] - begin[i]; }
 
@@ -39,5 +42,36 @@ struct PairBlocks
 
 /// Cuts into blocks of 1024 particles, or of fewer where a table would not be addressed by 2 bytes. Weights are zero.
 PairBlocks make_pair_blocks(const Neighbors& neighbors);
+
+/// Moves the pairs whose neighbour is enriched to the front of those of their particle, in their order.
+/// @param enriched  whether a particle is
+template <class Enriched>
+void put_enriched_first(PairBlocks& pairs, const Enriched& enriched)
+{
+    parallel_for(std::ssize(pairs.enriched_end),
+                 [&](std::int64_t i)
+                 {
+                     std::vector<std::pair<std::uint16_t, float>> others;
+                     std::int64_t end = pairs.begin[i];
+                     for (std::int64_t k = pairs.begin[i]; k < pairs.begin[i + 1]; ++k)
+                     {
+                         if (enriched(pairs.neighbor(i, k)))
+                         {
+                             pairs.place[end] = pairs.place[k];
+                             pairs.weight[end++] = pairs.weight[k];
+                         }
+                         else
+                         {
+                             others.emplace_back(pairs.place[k], pairs.weight[k]);
+                         }
+                     }
+                     pairs.enriched_end[i] = end;
+                     for (const auto& [place, weight] : others)
+                     {
+                         pairs.place[end] = place;
+                         pairs.weight[end++] = weight;
+                     }
+                 });
+}
 
 } // namespace corticle::tlsph

@@ -5,6 +5,8 @@
 #include "corticle/mechanics/tlsph/pair_blocks.hpp"
 #include "corticle/mechanics/tlsph/pair_law.hpp"
 
+#include <algorithm>
+
 // The innermost loop of the program.
 
 namespace corticle::tlsph
@@ -33,26 +35,36 @@ struct Register<2>
 /// How far ahead of the pair at hand weights and places are asked for: their lists follow one another in memory.
 inline constexpr std::int64_t pairs_ahead = 256;
 
-/// sum_j w_ij terms_j over pairs `begin` to `end`.
-template <int lanes>
-CORTICLE_INLINE void sum_pairs(const PairBlocks& pairs, std::int64_t begin, std::int64_t end, const PairTerms* terms,
-                               PairTerms& sum)
+/// The numbers of a sum in registers, `width` to each of its terms.
+template <int lanes, class Terms>
+inline constexpr std::size_t registers_of = sizeof(Terms) / sizeof(typename Register<lanes>::Type);
+
+/// sum_j w_ij terms_j over pairs `begin` to `end`, added to `sum`. @param terms  arrays of terms of the same particles
+template <int lanes, class... Terms>
+CORTICLE_INLINE void add_pairs(const PairBlocks& pairs, std::int64_t begin, std::int64_t end, const Terms*... terms,
+                               Terms&... sum)
 {
     using Part = typename Register<lanes>::Type;
-    constexpr std::size_t width = sizeof(PairTerms) / sizeof(Part);
+    constexpr std::size_t width = (registers_of<lanes, Terms> + ...);
     // Eight registers of sums: each waits only for its own last addition.
-    constexpr std::size_t stride = 8 / width;
+    constexpr std::size_t stride = std::max<std::size_t>(8 / width, 1);
     Part sums[stride][width]{};
     const std::uint16_t* const place = pairs.place.data();
     const float* const weight = pairs.weight.data();
-    const auto add = [&](std::size_t s, double w, const PairTerms& term)
+    const auto add_one = [&]<class Term>(std::size_t s, std::size_t& first, double w, const Term& term)
     {
         const auto* part = reinterpret_cast<const Part*>(&term);
         asm("" : "+r"(part)); // in one register: an addition that also adds up an address takes two operations
-        for (std::size_t p = 0; p < width; ++p)
+        for (std::size_t p = 0; p < registers_of<lanes, Term>; ++p)
         {
-            sums[s][p] += w * part[p];
+            sums[s][first + p] += w * part[p];
         }
+        first += registers_of<lanes, Term>;
+    };
+    const auto add = [&](std::size_t s, double w, std::uint16_t at)
+    {
+        std::size_t first = 0;
+        (add_one(s, first, w, terms[at]), ...);
     };
     std::int64_t k = begin;
     for (; k + wide_lanes <= end; k += wide_lanes)
@@ -64,44 +76,70 @@ CORTICLE_INLINE void sum_pairs(const PairBlocks& pairs, std::int64_t begin, std:
         *reinterpret_cast<WideMemory*>(w) = widen(weight + k);
         for (std::size_t m = 0; m < wide_lanes; ++m)
         {
-            add(m % stride, w[m], terms[place[k + static_cast<std::int64_t>(m)]]);
+            add(m % stride, w[m], place[k + static_cast<std::int64_t>(m)]);
         }
     }
     for (; k < end; ++k)
     {
-        add(0, static_cast<double>(weight[k]), terms[place[k]]);
+        add(0, static_cast<double>(weight[k]), place[k]);
     }
-    auto* result = reinterpret_cast<Part*>(&sum);
-    for (std::size_t p = 0; p < width; ++p)
+    std::size_t first = 0;
+    const auto take = [&]<class Term>(Term& result)
     {
-        if constexpr (stride == 4)
+        auto* part = reinterpret_cast<Part*>(&result);
+        for (std::size_t p = 0; p < registers_of<lanes, Term>; ++p)
         {
-            result[p] = (sums[0][p] + sums[1][p]) + (sums[2][p] + sums[3][p]);
+            const std::size_t q = first + p;
+            if constexpr (stride == 4)
+            {
+                part[p] += (sums[0][q] + sums[1][q]) + (sums[2][q] + sums[3][q]);
+            }
+            else if constexpr (stride == 2)
+            {
+                part[p] += sums[0][q] + sums[1][q];
+            }
+            else
+            {
+                part[p] += sums[0][q];
+            }
         }
-        else if constexpr (stride == 2)
-        {
-            result[p] = sums[0][p] + sums[1][p];
-        }
-        else
-        {
-            result[p] = sums[0][p];
-        }
+        first += registers_of<lanes, Term>;
+    };
+    (take(sum), ...);
+}
+
+/// The same, with the registers of the processor at hand.
+template <class... Terms>
+CORTICLE_INLINE void add_terms(const PairBlocks& pairs, std::int64_t begin, std::int64_t end, const Terms*... terms,
+                               Terms&... sum)
+{
+    switch (register_lanes)
+    {
+    case 8:
+        return add_pairs<8, Terms...>(pairs, begin, end, terms..., sum...);
+    case 4:
+        return add_pairs<4, Terms...>(pairs, begin, end, terms..., sum...);
+    default:
+        return add_pairs<2, Terms...>(pairs, begin, end, terms..., sum...);
     }
 }
 
 /// sum_j w_ij terms_j over the neighbours j of particle i.
 /// @param terms  of the particles in the table of the block of i
-CORTICLE_INLINE void sum_terms(const PairBlocks& pairs, std::int64_t i, const PairTerms* terms, PairTerms& sum)
+CORTICLE_INLINE void sum_terms(const PairBlocks& pairs, std::int64_t i, const BlockTerms& terms, PairTerms& sum)
 {
-    switch (register_lanes)
-    {
-    case 8:
-        return sum_pairs<8>(pairs, pairs.begin[i], pairs.begin[i + 1], terms, sum);
-    case 4:
-        return sum_pairs<4>(pairs, pairs.begin[i], pairs.begin[i + 1], terms, sum);
-    default:
-        return sum_pairs<2>(pairs, pairs.begin[i], pairs.begin[i + 1], terms, sum);
-    }
+    sum = {};
+    add_terms<PairTerms>(pairs, pairs.begin[i], pairs.begin[i + 1], terms.linear.data(), sum);
+}
+
+/// The same with the products of the neighbours before pair `end`; the others have none.
+CORTICLE_INLINE void sum_terms(const PairBlocks& pairs, std::int64_t i, std::int64_t end, const BlockTerms& terms,
+                               EnrichedTerms& sum)
+{
+    sum = {};
+    add_terms<PairTerms, ProductTerms>(pairs, pairs.begin[i], end, terms.linear.data(), terms.products.data(),
+                                       sum.linear, sum.products);
+    add_terms<PairTerms>(pairs, end, pairs.begin[i + 1], terms.linear.data(), sum.linear);
 }
 
 } // namespace corticle::tlsph

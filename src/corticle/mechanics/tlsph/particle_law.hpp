@@ -57,6 +57,7 @@ struct ParticleReference
 {
     Real volume;                  ///< V_i [mm³]
     BasicMat3<Real> correction;   ///< L_i
+    BasicMat3<Real> gradient;     ///< B_i, which is L_i away from the surface
     BasicVec3<Real> weighted_sum; ///< b_i = sum_j w_ij X_ij
     double zeta;                  ///< of TlsphOptions
 };
@@ -66,16 +67,19 @@ template <RealLike Real>
 struct ParticleDeformation
 {
     BasicMat3<Real> F;
+    BasicMat3<Real>
+        linear_F; ///< of the linear fit, sum_j w_ij x_ij X_ij^T L_i, which the zero-energy control refers to
     BasicMat3<Real> cofactor_F;
     Real J;
 };
 
 template <RealLike Real>
-CORTICLE_INLINE ParticleDeformation<Real> particle_deformation(const DeformationSums<Real>& sums,
-                                                               const BasicMat3<Real>& correction)
+CORTICLE_INLINE ParticleDeformation<Real> particle_deformation(const BasicMat3<Real>& F,
+                                                               const BasicMat3<Real>& linear_F)
 {
     ParticleDeformation<Real> result;
-    result.F = sums.moment * correction;
+    result.F = F;
+    result.linear_F = linear_F;
     result.cofactor_F = cofactor(result.F);
     result.J = dot(result.F.column[0], result.cofactor_F.column[0]);
     return result;
@@ -91,7 +95,8 @@ struct ParticleResponse
     Real rate;                 ///< wave speed at density 1 over the smallest principal stretch
     Real J_e;                  ///< elastic volume ratio
     Real zeta;                 ///< zeta_i [mu_w]
-    BasicMat3<Real> M;         ///< V_i P_i L_i - zeta_i F_i
+    BasicMat3<Real> stress;    ///< V_i P_i [mu_w mm³]
+    BasicMat3<Real> M;         ///< V_i P_i B_i - zeta_i times the linear F_i
     BasicVec3<Real> own_force; ///< the part of its force that its own state makes [mu_w mm²]
 };
 
@@ -106,14 +111,17 @@ particle_response(const Law& law, const material::BasicMaterialPoint<Real>& poin
     const material::BasicResponse<Real> grown = material::respond<plain>(law, point, normal, F);
     const Real volume = reference.volume * grown.growth_volume;
     const Real zeta = control_stiffness<plain>(reference.zeta, point);
-    const Real zero_mode = ScalarOf<Real>(0.5) * zeta * (sums.squared_lengths - contract(sums.moment, F));
-    const BasicMat3<Real> M = reference.volume * (grown.P * reference.correction) - zeta * F;
+    const Real zero_mode =
+        ScalarOf<Real>(0.5) * zeta * (sums.squared_lengths - contract(sums.moment, deformation.linear_F));
+    const BasicMat3<Real> stress = reference.volume * grown.P;
+    const BasicMat3<Real> M = stress * reference.gradient - zeta * deformation.linear_F;
     return {volume * grown.energy,
             zero_mode,
             volume * grown.power + control_stiffening<plain>(point) * zero_mode,
             grown.wave_speed * largest_compression(deformation.cofactor_F, deformation.J),
             grown.J_e,
             zeta,
+            stress,
             M,
             M * reference.weighted_sum + zeta * sums.weighted_sum};
 }

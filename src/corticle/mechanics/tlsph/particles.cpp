@@ -56,7 +56,8 @@ double condition_number(const Mat3& symmetric)
 
 Particles make_particles(const Cloud& cloud, const Neighbors& neighbors, const TlsphOptions& options)
 {
-    Particles particles{cloud.positions, cloud.volumes, make_pair_blocks(neighbors), {}, {}, options, cloud.spacing};
+    Particles particles{cloud.positions, cloud.volumes, make_pair_blocks(neighbors), {}, {}, {},
+                        options,         cloud.spacing};
     const std::size_t count = particles.X.size();
     const double support = support_mm(options, cloud.spacing);
     particles.correction.resize(count);
@@ -86,6 +87,7 @@ Particles make_particles(const Cloud& cloud, const Neighbors& neighbors, const T
                      particles.weighted_sum[i] = sum;
                  });
     require_well_conditioned(particles, condition);
+    particles.enriched = enrich_gradients(cloud, particles.correction, support, particles.pairs);
     return particles;
 }
 

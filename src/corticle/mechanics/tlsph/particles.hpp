@@ -2,6 +2,7 @@
 #pragma once
 
 #include "corticle/base/mat3.hpp"
+#include "corticle/mechanics/tlsph/enriched_gradient.hpp"
 #include "corticle/mechanics/tlsph/options.hpp"
 #include "corticle/mechanics/tlsph/pair_blocks.hpp"
 #include "corticle/mesh/cloud.hpp"
@@ -22,6 +23,7 @@ struct Particles
                       ///< kernel by 1e-7: every identity of the method holds to double precision.
     LargeVector<Mat3> correction;   ///< L_i = (sum_j w_ij X_ij X_ij^T)^-1
     std::vector<Vec3> weighted_sum; ///< b_i = sum_j w_ij X_ij; its fourth lane holds sum_j w_ij
+    EnrichedGradients enriched;     ///< of the particles near the surface
     TlsphOptions options;
     double spacing = 0.0; ///< [mm]
 };

@@ -14,36 +14,74 @@ namespace corticle::tlsph
 namespace
 {
 
-CORTICLE_EVERY_ISA void force_block(const Block& block, std::vector<PairTerms>& terms, const ForceRecord* records,
-                                    Vec3* forces)
+/// What the second pass reads.
+struct Records
+{
+    const ForceRecord* all;
+    const Mat3* enriched; ///< as PassOutput has them
+};
+
+CORTICLE_INLINE void fill_force_terms(const Block& block, const Records& records, BlockTerms& terms)
 {
     const auto table = block.table();
-    const std::vector<Vec3>& X = block.particles.X;
-    terms.resize(table.size());
+    const Particles& particles = block.particles;
+    const bool has_products = block.farthest() != EnrichedGradients::Reach::none;
+    terms.linear.resize(table.size());
+    terms.products.resize(has_products ? table.size() : 0);
     for (std::size_t m = 0; m < table.size(); ++m)
     {
         const std::int32_t j = table[m];
         const std::int32_t soon = ahead_of(table, m);
-        read_soon(&X[soon]);
-        read_soon(&records[soon].M);
-        read_soon(&records[soon].M.column[2]);
-        const ForceRecord& record = records[j];
-        terms[m] = force_terms(record.M, record.x.lane, X[j] - block.X_origin, record.x - block.x_origin);
-    }
-    for (std::int64_t i = block.begin; i < block.end; ++i)
-    {
-        PairTerms sum;
-        sum_terms(block.particles.pairs, i, terms.data(), sum);
-        forces[i] += neighbors_force(sum, X[i] - block.X_origin, records[i].x - block.x_origin);
+        read_soon(&particles.X[soon]);
+        read_soon(&records.all[soon].M);
+        read_soon(&records.all[soon].M.column[2]);
+        const Vec3 X = particles.X[j] - block.X_origin;
+        const ForceRecord& record = records.all[j];
+        terms.linear[m] = force_terms(record.M, record.x.lane, X, record.x - block.x_origin);
+        if (has_products && particles.enriched.reach[j] == EnrichedGradients::Reach::itself)
+        {
+            enrich_force_terms(records.enriched[particles.enriched.at[j]], X, terms.linear[m], terms.products[m]);
+        }
     }
 }
 
-CORTICLE_EVERY_ISA void gradient_block(const Block& block, const Vec3* x, std::vector<PairTerms>& terms, Mat3* F)
+CORTICLE_EVERY_ISA void force_block(const Block& block, const Records& records, BlockTerms& terms, Vec3* forces)
 {
-    fill_deformation_terms(block, x, terms);
+    fill_force_terms(block, records, terms);
+    const Particles& particles = block.particles;
     for (std::int64_t i = block.begin; i < block.end; ++i)
     {
-        F[i] = sum_deformation(block, x, i, terms).moment * block.particles.correction[i];
+        const Vec3 X = particles.X[i] - block.X_origin;
+        const Vec3 x = records.all[i].x - block.x_origin;
+        if (const std::int64_t end = particles.pairs.enriched_end[i]; end > particles.pairs.begin[i])
+        {
+            EnrichedTerms sum;
+            sum_terms(particles.pairs, i, end, terms, sum);
+            forces[i] += neighbors_force(sum, X, x);
+        }
+        else
+        {
+            PairTerms sum;
+            sum_terms(particles.pairs, i, terms, sum);
+            forces[i] += neighbors_force(sum, X, x);
+        }
+    }
+}
+
+CORTICLE_EVERY_ISA void gradient_block(const Block& block, const Vec3* x, BlockTerms& terms, Mat3* F)
+{
+    fill_deformation_terms(block, x, terms);
+    for (std::int64_t i = block.begin; i < block.end; i += wide_lanes)
+    {
+        const WideGroup group{i, std::min(wide_lanes, block.end - i)};
+        GroupEnrichment enrichment;
+        const WideMat3 local = block.particles.enriched.at[i] < 0
+                                   ? linear_deformation(block, x, group, terms).deformation.F
+                                   : enriched_deformation(block, x, group, terms, enrichment).deformation.F;
+        for (int c = 0; c < 3; ++c)
+        {
+            group.scatter_vectors(local.column[c], [&](std::int64_t k) -> Vec3& { return F[k].column[c]; });
+        }
     }
 }
 
@@ -56,7 +94,8 @@ TlsphSolver::TlsphSolver(const Particles& particles, const material::Tissue& tis
 
 TlsphSolver::TlsphSolver(const Particles& particles, const material::Tissue& tissue,
                          std::unique_ptr<const DeformationPass> deformation)
-    : particles_(particles), tissue_(tissue), deformation_(std::move(deformation)), records_(particles.X.size())
+    : particles_(particles), tissue_(tissue), deformation_(std::move(deformation)), records_(particles.X.size()),
+      enriched_records_(particles.enriched.gradient.size())
 {
 }
 
@@ -67,7 +106,7 @@ mechanics::InternalResponse TlsphSolver::evaluate(std::span<const Vec3> x, doubl
     require_size("positions", x.size(), particles_.X.size());
     require_size("forces", forces.size(), particles_.X.size());
     const PassInput in{tissue_, t, x.data()};
-    const PassOutput out{records_.data(), forces.data()};
+    const PassOutput out{records_.data(), enriched_records_.data(), forces.data()};
     mechanics::InternalResponse initial;
     initial.smallest_J = std::numeric_limits<double>::infinity();
     const std::int64_t count = std::ssize(x);
@@ -89,7 +128,7 @@ mechanics::InternalResponse TlsphSolver::evaluate(std::span<const Vec3> x, doubl
             [&](std::int64_t begin, std::int64_t end)
             {
                 const Block block = block_of(particles_, x, begin, end);
-                force_block(block, terms_.local(), records_.data(), forces.data());
+                force_block(block, {records_.data(), enriched_records_.data()}, terms_.local(), forces.data());
             },
             particles_.pairs.block_size);
         // A non-finite position spreads into its neighbours' J, which the test above sees; energies and the
@@ -106,7 +145,7 @@ std::vector<Mat3> TlsphSolver::deformation_gradients(std::span<const Vec3> x) co
 {
     require_size("positions", x.size(), particles_.X.size());
     std::vector<Mat3> F(x.size());
-    PerThread<std::vector<PairTerms>> terms;
+    PerThread<BlockTerms> terms;
     terms.fit();
     parallel_blocks(
         std::ssize(x),

@@ -38,7 +38,8 @@ class TlsphSolver final : public mechanics::Discretization
     material::Tissue tissue_;
     std::unique_ptr<const DeformationPass> deformation_;
     LargeVector<ForceRecord> records_;
-    PerThread<std::vector<PairTerms>> terms_; ///< of the block at hand
+    LargeVector<Mat3> enriched_records_;
+    PerThread<BlockTerms> terms_; ///< of the block at hand
 };
 
 } // namespace corticle::tlsph

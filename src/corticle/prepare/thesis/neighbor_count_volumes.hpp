@@ -11,7 +11,7 @@ namespace corticle::prepare
 
 /// Volumes by neighbour counts (thesis eqs. 25-26): V_i = k / N_i, N_i the number of other particles within `radius` of
 /// particle i, k such that they sum to the total volume [mm³]. Near the surface, where part of the ball about a
-/// particle is empty, they are too large; `cell_volumes` is not.
+/// particle is empty, they are too large; `cells_of` is not.
 /// @param positions     reference [mm]
 /// @param radius        of the kernel [mm]
 /// @param total_volume  of the body [mm³]

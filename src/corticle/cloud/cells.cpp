@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/cloud/cell_volumes.hpp"
+#include "corticle/cloud/cells.hpp"
 
 #include "corticle/base/parallel.hpp"
 #include "corticle/cloud/line_lattice.hpp"
@@ -29,11 +29,12 @@ struct Site
     std::int32_t index;
 };
 
-/// What one line gives to a point [mm].
+/// What one line gives to a point.
 struct Share
 {
     std::int32_t index;
-    double length;
+    double length; ///< [mm]
+    Vec3 middle;   ///< [mm]
 };
 
 /// A piece of a line: from its start to that of the next, `index` is the nearest point.
@@ -80,7 +81,8 @@ void lower_envelope(std::vector<Site>& sites, std::vector<Piece>& pieces)
 }
 
 /// Cuts the inside of a line into the shares of the points nearest to it.
-void share_line(std::span<const double> crossings, const std::vector<Piece>& pieces, std::vector<Share>& shares)
+void share_line(double x, double y, std::span<const double> crossings, const std::vector<Piece>& pieces,
+                std::vector<Share>& shares)
 {
     std::size_t piece = 0;
     for (std::size_t c = 0; c + 1 < crossings.size(); c += 2)
@@ -93,7 +95,7 @@ void share_line(std::span<const double> crossings, const std::vector<Piece>& pie
             const double end = last ? to : std::min(to, pieces[piece + 1].start);
             if (end > from)
             {
-                shares.push_back({pieces[piece].site.index, end - from});
+                shares.push_back({pieces[piece].site.index, end - from, {x, y, 0.5 * (from + end)}});
                 from = end;
             }
             if (from < to)
@@ -131,20 +133,20 @@ std::vector<Share> shares_of_lines(const LineLattice& lines, const CellGrid& gri
                            }
                        });
         lower_envelope(sites, pieces);
-        share_line(crossings, pieces, shares);
+        share_line(x, y, crossings, pieces, shares);
     }
     return shares;
 }
 
 } // namespace
 
-std::vector<double> cell_volumes(const TriangleMesh& surface, std::span<const Vec3> points, double spacing,
-                                 double lines_per_spacing)
+Cells cells_of(const TriangleMesh& surface, std::span<const Vec3> points, double spacing, double lines_per_spacing)
 {
     const double step = spacing / lines_per_spacing;
     const LineLattice lines(surface, step);
     const CellGrid grid(points, reach * spacing);
-    std::vector<double> volumes(points.size(), 0.0);
+    Cells cells{std::vector<double>(points.size(), 0.0), std::vector<Vec3>(points.size())};
+    std::vector<double>& volumes = cells.volumes;
     std::vector<Share> shares;
     for (std::int64_t first = 0; first < lines.count(); first += batch)
     {
@@ -154,7 +156,12 @@ std::vector<double> cell_volumes(const TriangleMesh& surface, std::span<const Ve
         for (const Share& share : shares)
         {
             volumes[share.index] += step * step * share.length;
+            cells.centroids[share.index] += step * step * share.length * share.middle;
         }
+    }
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        cells.centroids[i] = volumes[i] > 0.0 ? cells.centroids[i] / volumes[i] : points[i];
     }
     for (double& volume : volumes)
     {
@@ -166,7 +173,7 @@ std::vector<double> cell_volumes(const TriangleMesh& surface, std::span<const Ve
     {
         volume *= scale;
     }
-    return volumes;
+    return cells;
 }
 
 } // namespace corticle::cloud

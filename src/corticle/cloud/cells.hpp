@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "corticle/mesh/triangle_mesh.hpp"
+
+namespace corticle::cloud
+{
+
+/// Voronoi cells of points, cut at a closed surface.
+struct Cells
+{
+    std::vector<double> volumes; ///< [mm³]
+    std::vector<Vec3> centroids; ///< [mm]
+};
+
+/// The cells, exact along lines parallel to z, summed over a lattice of such lines. Volumes are then scaled so that
+/// they sum to the enclosed volume; all are positive.
+/// @param spacing            of the points [mm]
+/// @param lines_per_spacing  along each side of the lattice
+Cells cells_of(const TriangleMesh& surface, std::span<const Vec3> points, double spacing,
+               double lines_per_spacing = 6.0);
+
+} // namespace corticle::cloud
