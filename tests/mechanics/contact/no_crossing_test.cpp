@@ -41,7 +41,8 @@ struct Loose
         motion.force.assign(loads.begin(), loads.end());
         active += contact.evaluate(motion.x, motion.force).active;
         dynamics::Motion next = motion;
-        if (contact.stays_apart(dynamics::advance(motion, masses, dt, 0.0, next).longest))
+        const double longest = dynamics::advance(motion, masses, dt, 0.0, next).longest;
+        if (contact.stays_apart({next.v, dt, longest}))
         {
             motion = std::move(next);
             return;
@@ -151,16 +152,28 @@ TEST(TravelLimit, BanksThatMoveTogetherLoseNothing)
     }
 }
 
-TEST(TravelLimit, NeedsNoLookWhereNothingIsNear)
+/// Whether the limit leaves a step alone in which both banks move at right angles to themselves, by these ways.
+bool stays_apart(Loose& banks, double of_lower, double of_upper)
+{
+    std::vector<Vec3> velocity(banks.masses.size(), Vec3{0, 0, of_upper});
+    std::fill_n(velocity.begin(), test::Banks(1.0).lower_count, Vec3{0, 0, of_lower});
+    return banks.contact.stays_apart({velocity, 1.0, std::max(std::abs(of_lower), std::abs(of_upper))});
+}
+
+TEST(TravelLimit, LeavesAStepAloneInWhichNothingComesTooClose)
 {
     Loose banks(test::Banks(2.0).mesh, 1.0);
     std::vector<Vec3> forces(banks.masses.size());
     banks.contact.evaluate(banks.motion.x, forces);
-    EXPECT_TRUE(banks.contact.stays_apart(0.1));
-    EXPECT_FALSE(banks.contact.stays_apart(0.2)); // 0.4 of 0.3 at most
+    EXPECT_TRUE(stays_apart(banks, 0.1, -0.1));
+    EXPECT_FALSE(stays_apart(banks, 0.2, -0.2)); // 0.4 of 0.3 at most
     banks.contact.evaluate(test::Banks(0.1).mesh.vertices, forces);
-    EXPECT_TRUE(banks.contact.stays_apart(0.03)); // 0.8 of 0.1 - 0.006, for both
-    EXPECT_FALSE(banks.contact.stays_apart(0.04));
+    EXPECT_TRUE(stays_apart(banks, 0.03, -0.03)); // 0.8 of 0.1 - 0.006, for both
+    EXPECT_FALSE(stays_apart(banks, 0.04, -0.04));
+    EXPECT_FALSE(stays_apart(banks, 0.08, 0.0));
+    EXPECT_TRUE(stays_apart(banks, 0.08, 0.08));
+    EXPECT_TRUE(stays_apart(banks, -0.08, 0.08));
+    EXPECT_FALSE(stays_apart(banks, std::nan(""), 0.0));
 }
 
 TEST(TravelLimit, KeepsTheMomentumOfWhatItJoins)

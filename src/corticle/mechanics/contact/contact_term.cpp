@@ -66,7 +66,7 @@ mechanics::Contribution ContactTerm::add(const mechanics::StepContext& context, 
 mechanics::TravelTaken ContactTerm::limit_travel(const dynamics::Motion& from, double dt, double longest,
                                                  dynamics::Motion& to)
 {
-    if (contact_.stays_apart(longest))
+    if (contact_.stays_apart({to.v, dt, longest}))
     {
         return {};
     }

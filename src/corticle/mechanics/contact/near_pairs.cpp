@@ -2,6 +2,7 @@
 #include "corticle/mechanics/contact/near_pairs.hpp"
 
 #include "corticle/base/parallel.hpp"
+#include "corticle/base/simd.hpp"
 
 #include <algorithm>
 #include <array>
@@ -104,6 +105,7 @@ bool NearPairs::follow(std::span<const Vec3> x, std::span<const std::int32_t> pl
                                 std::int64_t outside = 0;
                                 for (std::int64_t k = begin; k < end; ++k)
                                 {
+                                    read_soon(&x[places[std::min(k + places_ahead, end - 1)]]);
                                     const Vec3 now = x[places[k]];
                                     step_[k] = norm(now - x_[k]);
                                     vertex_path_[k] += step_[k];

@@ -6,6 +6,9 @@
 namespace corticle::contact
 {
 
+/// Vertices of a surface lie scattered in the body: so many of them ahead memory is asked for the next one.
+inline constexpr std::int64_t places_ahead = 16;
+
 /// The pairs of parts of a moving surface that are near: closer than a range now. Which they are and in which order
 /// depends on the positions alone; what is remembered of earlier ones only saves work.
 class NearPairs

@@ -331,16 +331,19 @@ ContactResponse SurfaceContact::evaluate(std::span<const Vec3> x, std::span<Vec3
         return response;
     }
     add_up(response.active);
-    parallel_runs(each(std::ssize(places_),
-                       [&](std::int64_t k)
-                       {
-                           Vec3& first = loads_[0][k];
-                           Vec3& second = loads_[1][k];
-                           forces[places_[k]] += first + second;
-                           rate_of_vertex_[k] = (first.lane + second.lane) / masses_[k];
-                           first = {};
-                           second = {};
-                       }));
+    parallel_runs(BlockLoop{std::ssize(places_), [&](std::int64_t begin, std::int64_t end)
+                            {
+                                for (std::int64_t k = begin; k < end; ++k)
+                                {
+                                    read_soon(&forces[places_[std::min(k + places_ahead, end - 1)]]);
+                                    Vec3& first = loads_[0][k];
+                                    Vec3& second = loads_[1][k];
+                                    forces[places_[k]] += first + second;
+                                    rate_of_vertex_[k] = (first.lane + second.lane) / masses_[k];
+                                    first = {};
+                                    second = {};
+                                }
+                            }});
     response.largest_rate = largest_rate();
     return response;
 }

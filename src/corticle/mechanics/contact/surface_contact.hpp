@@ -48,9 +48,11 @@ class SurfaceContact
     /// Sum of the barriers at the positions last evaluated: a potential [mu_w mm³].
     double energy() const;
 
-    /// Whether no two parts come closer than is safe where no vertex moves farther than `longest` [mm] from the
-    /// positions last evaluated.
-    bool stays_apart(double longest) const { return travel_limit_->stays_apart(near_, least_distance(), longest); }
+    /// Whether no two parts come closer than is safe in a step of the body from the positions last evaluated.
+    bool stays_apart(const Travel& travel)
+    {
+        return travel_limit_->stays_apart(near_, least_distance(), travel, places_);
+    }
     /// Changes displacements [mm] of vertices from the positions last evaluated where parts would come closer than is
     /// safe, see TravelLimit. @return the vertices whose displacement has changed, in ascending order
     std::span<const std::int32_t> hold_apart(std::span<Vec3> displacements)

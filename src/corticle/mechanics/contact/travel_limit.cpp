@@ -45,7 +45,7 @@ double separation_along(const Vec3& direction, const std::array<std::int32_t, 4>
     double highest_of_second = -lowest_of_first;
     for (std::size_t k = 0; k < 4; ++k)
     {
-        const double height = dot(direction, position(static_cast<std::size_t>(vertex[k])));
+        const double height = dot(direction, position(vertex[k]));
         if (k < first_size)
         {
             lowest_of_first = std::min(lowest_of_first, height);
@@ -56,6 +56,13 @@ double separation_along(const Vec3& direction, const std::array<std::int32_t, 4>
         }
     }
     return lowest_of_first - highest_of_second;
+}
+
+/// Whether the lengths of the displacements alone say that a pair keeps apart.
+/// @param ways  the largest of the first part plus that of the second [mm]
+bool keeps_apart(double distance, double ways, double least)
+{
+    return ways <= closing_share * std::max(distance - least, 0.0);
 }
 
 /// The separation that a step must leave.
@@ -69,7 +76,7 @@ double required_separation(double now, double least)
 TravelLimit::TravelLimit(std::vector<double> masses, std::vector<double> vertex_least, std::vector<double> edge_least)
     : masses_(std::move(masses)), vertex_least_(std::move(vertex_least)), edge_least_(std::move(edge_least)),
       largest_least_(std::max(*std::ranges::max_element(vertex_least_), *std::ranges::max_element(edge_least_))),
-      way_(masses_.size()), parent_(masses_.size()), of_group_(masses_.size())
+      parent_(masses_.size()), of_group_(masses_.size())
 {
     std::iota(parent_.begin(), parent_.end(), 0);
 }
@@ -85,18 +92,26 @@ double TravelLimit::least_of(const EdgeEdge& pair) const
                     edge_least_[static_cast<std::size_t>(pair.second)]);
 }
 
-bool TravelLimit::stays_apart(const NearPairs& near, double least_distance, double longest) const
+bool TravelLimit::stays_apart(const NearPairs& near, double least_distance, const Travel& travel,
+                              std::span<const std::int32_t> places)
 {
-    return longest < travel_share * near.range() &&
-           2.0 * longest <= closing_share * std::max(least_distance - largest_least_, 0.0);
+    if (!(travel.longest < travel_share * near.range()))
+    {
+        return false;
+    }
+    mean_ = {};
+    longest_way_ = travel.longest;
+    return keeps_apart(least_distance, 2.0 * longest_way_, largest_least_) ||
+           !find_closing(near, [&](std::int32_t vertex) { return travel.dt * travel.velocity[places[vertex]]; });
 }
 
 std::span<const std::int32_t> TravelLimit::apply(const NearPairs& near, std::span<Vec3> displacements)
 {
     changed_.clear();
     stay_with_the_mean(displacements, travel_share * near.range());
-    while (join_closing(near, displacements))
+    while (find_closing(near, [&](std::int32_t vertex) { return displacements[vertex]; }))
     {
+        join_closing(displacements);
         move_together(displacements);
     }
     for (const std::int32_t vertex : grouped_)
@@ -114,33 +129,18 @@ std::span<const std::int32_t> TravelLimit::apply(const NearPairs& near, std::spa
 void TravelLimit::stay_with_the_mean(std::span<Vec3> displacements, double farthest)
 {
     mean_ = mean_of(displacements);
-    longest_way_ = parallel_reduce(
-        std::ssize(displacements), 0.0,
-        [&](std::int64_t begin, std::int64_t end)
-        {
-            double longest = 0.0;
-            for (std::int64_t k = begin; k < end; ++k)
-            {
-                way_[k] = norm(displacements[k] - mean_);
-                longest = std::max(way_[k], longest);
-            }
-            return longest;
-        },
-        [](double& longest, double part) { longest = std::max(part, longest); });
-    if (longest_way_ <= farthest)
-    {
-        return;
-    }
+    longest_way_ = 0.0;
     for (std::size_t k = 0; k < displacements.size(); ++k)
     {
-        if (way_[k] > farthest)
+        const Vec3 way = displacements[k] - mean_;
+        const double length = norm(way);
+        if (length > farthest)
         {
-            displacements[k] = mean_ + (farthest / way_[k]) * (displacements[k] - mean_);
-            way_[k] = farthest;
+            displacements[k] = mean_ + (farthest / length) * way;
             changed_.push_back(static_cast<std::int32_t>(k));
         }
+        longest_way_ = std::max(longest_way_, std::min(length, farthest));
     }
-    longest_way_ = farthest;
 }
 
 std::int32_t TravelLimit::group_of(std::int32_t vertex) const
@@ -165,32 +165,32 @@ void TravelLimit::join(std::int32_t a, std::int32_t b)
     parent_[static_cast<std::size_t>(std::max(first, second))] = std::min(first, second);
 }
 
-/// False where the lengths of the displacements alone say that a pair keeps apart.
-template <class Pair>
-bool TravelLimit::may_close(const FourVertices& vertex, const Pair& pair) const
+/// False where the lengths of the displacements of its vertices alone say that a pair keeps apart.
+template <class Pair, class DisplacementOf>
+bool TravelLimit::may_close(const FourVertices& vertex, const Pair& pair, const DisplacementOf& displacement_of) const
 {
     std::array<double, 2> way{};
     for (std::size_t k = 0; k < 4; ++k)
     {
         double& longest = way[k < size_of_first(pair) ? 0 : 1];
-        longest = std::max(longest, way_[static_cast<std::size_t>(vertex[k])]);
+        longest = std::max(longest, norm(displacement_of(vertex[k]) - mean_));
     }
-    return !(pair.distance - way[0] - way[1] >= required_separation(pair.distance, least_of(pair))); // NaN too
+    return !keeps_apart(pair.distance, way[0] + way[1], least_of(pair)); // NaN too
 }
 
 /// Sets `found` to those of the near pairs of a block whose parts would come too close.
-template <class Pair>
+template <class Pair, class DisplacementOf>
 void TravelLimit::find_closing(const NearPairs& near, const std::vector<Pair>& pairs,
-                               std::span<const Vec3> displacements, std::vector<FourVertices>& found) const
+                               const DisplacementOf& displacement_of, std::vector<FourVertices>& found) const
 {
     found.clear();
     std::vector<Pair> suspects;
     for (const Pair& pair : pairs)
     {
-        if (!(pair.distance - 2.0 * longest_way_ >= required_separation(pair.distance, least_of(pair))))
+        if (!keeps_apart(pair.distance, 2.0 * longest_way_, largest_least_))
         {
             const FourVertices vertex = near.parts().vertices_of(pair);
-            if (may_close(vertex, pair) && !in_one_group(vertex))
+            if (may_close(vertex, pair, displacement_of) && !in_one_group(vertex))
             {
                 suspects.push_back(pair);
             }
@@ -204,9 +204,9 @@ void TravelLimit::find_closing(const NearPairs& near, const std::vector<Pair>& p
         const FourVertices vertex = near.parts().vertices_of(suspects[k]);
         const Vec3 direction = normalized(points[k].between);
         const std::size_t first = size_of_first(suspects[k]);
-        const double now = separation_along(direction, vertex, first, [&](std::size_t i) { return x[i]; });
+        const double now = separation_along(direction, vertex, first, [&](std::int32_t i) { return x[i]; });
         const double then =
-            separation_along(direction, vertex, first, [&](std::size_t i) { return x[i] + displacements[i]; });
+            separation_along(direction, vertex, first, [&](std::int32_t i) { return x[i] + displacement_of(i); });
         // Written so that a NaN counts as closing.
         if (!(now > 0.0 && then >= required_separation(now, least_of(suspects[k]))))
         {
@@ -215,8 +215,9 @@ void TravelLimit::find_closing(const NearPairs& near, const std::vector<Pair>& p
     }
 }
 
-/// Joins the vertices of pairs that would come too close. @return whether there are any
-bool TravelLimit::join_closing(const NearPairs& near, std::span<const Vec3> displacements)
+/// Finds the pairs that would come too close. @return whether there are any
+template <class DisplacementOf>
+bool TravelLimit::find_closing(const NearPairs& near, const DisplacementOf& displacement_of)
 {
     const auto& of_vertices = near.vertex_triangle();
     const auto& of_edges = near.edge_edge();
@@ -225,14 +226,16 @@ bool TravelLimit::join_closing(const NearPairs& near, std::span<const Vec3> disp
     {
         return BlockLoop{std::ssize(blocks),
                          [&, first](std::int64_t block, std::int64_t)
-                         { find_closing(near, blocks[block], displacements, closing_[first + block]); },
+                         { find_closing(near, blocks[block], displacement_of, closing_[first + block]); },
                          1};
     };
     parallel_runs(finding(of_vertices, 0), finding(of_edges, of_vertices.size()));
-    if (std::ranges::all_of(closing_, [](const auto& found) { return found.empty(); }))
-    {
-        return false;
-    }
+    return !std::ranges::all_of(closing_, [](const auto& found) { return found.empty(); });
+}
+
+/// Joins the vertices of pairs that would come too close.
+void TravelLimit::join_closing(std::span<const Vec3> displacements)
+{
     if (grouped_.empty())
     {
         wanted_.assign(displacements.begin(), displacements.end());
@@ -246,7 +249,6 @@ bool TravelLimit::join_closing(const NearPairs& near, std::span<const Vec3> disp
                         grouped_.push_back(v);
                     }
                 });
-    return true;
 }
 
 /// Gives every group the mean displacement of its vertices, weighted with their masses.
@@ -268,7 +270,6 @@ void TravelLimit::move_together(std::span<Vec3> displacements)
     {
         const Moving& group = of_group_[static_cast<std::size_t>(group_of(vertex))];
         displacements[static_cast<std::size_t>(vertex)] = group.moment / group.mass;
-        way_[static_cast<std::size_t>(vertex)] = norm(displacements[static_cast<std::size_t>(vertex)] - mean_);
     }
 }
 

@@ -6,6 +6,14 @@
 namespace corticle::contact
 {
 
+/// A step of a body's motion that has not been made yet.
+struct Travel
+{
+    std::span<const Vec3> velocity; ///< of the body's nodes
+    double dt;
+    double longest; ///< no node moves farther [mm]
+};
+
 /// Keeps a surface from crossing itself in a step, whatever the forces are.
 ///
 /// Two parts (a vertex and a triangle, or two edges) are held apart along the direction e between their closest points
@@ -20,8 +28,8 @@ namespace corticle::contact
 /// The vertices of a pair that would come closer than that move on together, with the velocity of their common
 /// momentum, and so do those of pairs that have a vertex in common. Nothing within such a group comes closer; groups
 /// that would come too close to others are joined, until none does: at the latest where the surface is one group.
-/// Pairs that are not near at the start stay apart since no vertex departs from the mean motion of the surface by more
-/// than 0.4 of the range of near pairs.
+/// Pairs that are not near at the start stay apart since no vertex departs from the mean motion of the surface, or from
+/// where it is, by more than 0.4 of the range of near pairs.
 class TravelLimit
 {
   public:
@@ -30,9 +38,11 @@ class TravelLimit
     /// @param edge_least    of each edge from others; a pair of edges has the larger of its two [mm]
     TravelLimit(std::vector<double> masses, std::vector<double> vertex_least, std::vector<double> edge_least);
 
-    /// Whether no pair may come too close where no vertex moves farther than `longest` [mm].
+    /// Whether no pair comes too close.
+    /// @param places          of the vertices in the body
     /// @param least_distance  of all near pairs [mm]
-    bool stays_apart(const NearPairs& near, double least_distance, double longest) const;
+    bool stays_apart(const NearPairs& near, double least_distance, const Travel& travel,
+                     std::span<const std::int32_t> places);
 
     /// Changes displacements of vertices [mm] from the positions of `near`.
     /// @return the vertices whose displacement has changed, in ascending order
@@ -49,13 +59,15 @@ class TravelLimit
     double least_of(const VertexTriangle& pair) const;
     double least_of(const EdgeEdge& pair) const;
     void stay_with_the_mean(std::span<Vec3> displacements, double farthest);
-    template <class Pair>
-    void find_closing(const NearPairs& near, const std::vector<Pair>& pairs, std::span<const Vec3> displacements,
+    template <class Pair, class DisplacementOf>
+    void find_closing(const NearPairs& near, const std::vector<Pair>& pairs, const DisplacementOf& displacement_of,
                       std::vector<FourVertices>& found) const;
-    template <class Pair>
-    bool may_close(const FourVertices& vertex, const Pair& pair) const;
+    template <class DisplacementOf>
+    bool find_closing(const NearPairs& near, const DisplacementOf& displacement_of);
+    template <class Pair, class DisplacementOf>
+    bool may_close(const FourVertices& vertex, const Pair& pair, const DisplacementOf& displacement_of) const;
     bool in_one_group(const FourVertices& vertex) const;
-    bool join_closing(const NearPairs& near, std::span<const Vec3> displacements);
+    void join_closing(std::span<const Vec3> displacements);
     void move_together(std::span<Vec3> displacements);
     std::int32_t group_of(std::int32_t vertex) const;
     void join(std::int32_t a, std::int32_t b);
@@ -65,9 +77,8 @@ class TravelLimit
     std::vector<double> edge_least_;
     double largest_least_; ///< of both [mm]
 
-    Vec3 mean_;                                      ///< displacement
-    std::vector<double> way_;                        ///< of each vertex beside the mean [mm]
-    double longest_way_ = 0.0;                       ///< [mm]
+    Vec3 mean_;                                      ///< displacement; zero where it need not be known [mm]
+    double longest_way_ = 0.0;                       ///< of a vertex beside the mean [mm]
     std::vector<std::vector<FourVertices>> closing_; ///< pairs that would come too close, of blocks
     std::vector<std::int32_t> parent_;               ///< of each vertex, towards the first of its group
     std::vector<std::int32_t> grouped_;              ///< vertices in groups
