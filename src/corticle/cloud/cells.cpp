@@ -140,11 +140,12 @@ std::vector<Share> shares_of_lines(const LineLattice& lines, const CellGrid& gri
 
 } // namespace
 
-Cells cells_of(const TriangleMesh& surface, std::span<const Vec3> points, double spacing, double lines_per_spacing)
+Cells cells_of(const TriangleMesh& surface, std::span<const Vec3> points, double spacing, double lines_per_spacing,
+               double largest_spacing)
 {
     const double step = spacing / lines_per_spacing;
     const LineLattice lines(surface, step);
-    const CellGrid grid(points, reach * spacing);
+    const CellGrid grid(points, reach * std::max(spacing, largest_spacing));
     Cells cells{std::vector<double>(points.size(), 0.0), std::vector<Vec3>(points.size())};
     std::vector<double>& volumes = cells.volumes;
     std::vector<Share> shares;

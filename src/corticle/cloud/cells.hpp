@@ -15,9 +15,10 @@ struct Cells
 
 /// The cells, exact along lines parallel to z, summed over a lattice of such lines. Volumes are then scaled so that
 /// they sum to the enclosed volume; all are positive.
-/// @param spacing            of the points [mm]
+/// @param spacing            of the points, where they are closest [mm]
 /// @param lines_per_spacing  along each side of the lattice
+/// @param largest_spacing    of the points, where they are sparsest [mm]; 0: the same
 Cells cells_of(const TriangleMesh& surface, std::span<const Vec3> points, double spacing,
-               double lines_per_spacing = 6.0);
+               double lines_per_spacing = 6.0, double largest_spacing = 0.0);
 
 } // namespace corticle::cloud

@@ -3,6 +3,7 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/cloud/cells.hpp"
+#include "corticle/cloud/depth_profile.hpp"
 #include "corticle/cloud/interior.hpp"
 #include "corticle/cloud/ordered_cloud.hpp"
 
@@ -31,22 +32,32 @@ Cloud fill_surface(const TriangleMesh& surface, const CloudOptions& options)
         throw InputError(
             fmt::format("spacing {} mm in a surface of {} mm³; expected positive numbers", options.spacing, volume));
     }
-    const double wanted = volume / (options.spacing * options.spacing * options.spacing);
+    const geometry::SurfaceTree tree(surface.vertices, surface.triangles);
+    const double wanted = options.grading.is_uniform() ? volume / std::pow(options.spacing, 3.0)
+                                                       : DepthProfile(tree).count(options.spacing, options.grading);
     constexpr double most = 1e9; // particle indices have 32 bits
     if (wanted > most)
     {
         throw InputError(fmt::format("spacing {} mm means {:.3g} particles; expected at most {:.3g}", options.spacing,
                                      wanted, most));
     }
-    const geometry::SurfaceTree tree(surface.vertices, surface.triangles);
     const auto surface_count = static_cast<std::int64_t>(surface.vertices.size());
     const std::int64_t inside_count = std::max<std::int64_t>(std::llround(wanted) - surface_count, 0);
 
     std::vector<Vec3> points = surface.vertices;
     const std::vector<Vec3> inside = scatter_inside(tree, inside_count, options);
     points.insert(points.end(), inside.begin(), inside.end());
-    relax_inside(tree, options.spacing, points);
-    return ordered_cloud(points, cells_of(surface, points, options.spacing), surface);
+    relax_inside(tree, options, points);
+    constexpr double lines_per_spacing = 6.0;
+    const double largest = options.grading.is_uniform() ? options.spacing : options.grading.ratio * options.spacing;
+    Cloud cloud =
+        ordered_cloud(points, cells_of(surface, points, options.spacing, lines_per_spacing, largest), surface);
+    if (!options.grading.is_uniform())
+    {
+        cloud.spacing = options.spacing;
+        cloud.local_spacing = local_spacings(tree, options, cloud.positions);
+    }
+    return cloud;
 }
 
 } // namespace corticle::cloud

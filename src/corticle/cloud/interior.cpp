@@ -81,6 +81,21 @@ std::vector<Vec3> points_of_lattice(const geometry::SurfaceTree& tree, const Lat
     return points;
 }
 
+/// Keeps each with the probability that the spacing there asks for.
+void thin_by_spacing(const geometry::SurfaceTree& tree, const CloudOptions& options, std::vector<Vec3>& points)
+{
+    const std::vector<double> spacings = local_spacings(tree, options, points);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        if (hash_uniform(hash_bits(options.seed, 1), i) < std::pow(options.spacing / spacings[i], 3.0))
+        {
+            points[kept++] = points[i];
+        }
+    }
+    points.resize(kept);
+}
+
 /// Leaves `count` points, dropped at random.
 void thin_out(std::vector<Vec3>& points, std::size_t count, std::uint64_t seed)
 {
@@ -143,6 +158,10 @@ std::vector<Vec3> scatter_inside(const geometry::SurfaceTree& tree, std::int64_t
     for (int attempt = 0; attempt < most_tries; ++attempt)
     {
         points = points_of_lattice(tree, lattice_over(tree.mesh().vertices, width), depth, options.seed);
+        if (!options.grading.is_uniform())
+        {
+            thin_by_spacing(tree, options, points);
+        }
         const auto found = static_cast<double>(points.size());
         if (found >= wanted && found <= 1.02 * wanted + 20.0)
         {
@@ -157,16 +176,45 @@ std::vector<Vec3> scatter_inside(const geometry::SurfaceTree& tree, std::int64_t
     return points;
 }
 
-void relax_inside(const geometry::SurfaceTree& tree, double spacing, std::vector<Vec3>& points)
+std::vector<Vec3> places_inside(const geometry::SurfaceTree& tree, double width)
 {
+    constexpr double anywhere = 0.0;
+    return points_of_lattice(tree, lattice_over(tree.mesh().vertices, width), anywhere, 1);
+}
+
+std::vector<double> local_spacings(const geometry::SurfaceTree& tree, const CloudOptions& options,
+                                   std::span<const Vec3> points)
+{
+    std::vector<double> spacings(points.size(), options.spacing);
+    if (!options.grading.is_uniform())
+    {
+        parallel_for(std::ssize(points),
+                     [&](std::int64_t i)
+                     {
+                         const double depth = std::sqrt(tree.closest(points[i]).squared_distance);
+                         spacings[i] = options.grading.spacing_at(options.spacing, depth);
+                     });
+    }
+    return spacings;
+}
+
+void relax_inside(const geometry::SurfaceTree& tree, const CloudOptions& options, std::vector<Vec3>& points)
+{
+    const double spacing = options.spacing;
     const auto first = static_cast<std::int64_t>(tree.mesh().vertices.size());
     std::vector<Vec3> moves;
     // A lower bound of the distance to the surface: only those that may be near it ask for it again.
     std::vector<double> depth(points.size(), 0.0);
+    std::vector<double> ranges;
     for (int sweep = 0; sweep < relaxation_sweeps; ++sweep)
     {
-        geometry::repulsion_moves(points, first, repulsion_range * spacing, repulsion_step, longest_move * spacing,
-                                  moves);
+        constexpr int sweeps_per_range = 8; // points move a tenth of a spacing at most
+        if (sweep % sweeps_per_range == 0)
+        {
+            ranges = local_spacings(tree, options, points);
+            std::ranges::for_each(ranges, [](double& range) { range *= repulsion_range; });
+        }
+        geometry::repulsion_moves(points, first, ranges, repulsion_step, longest_move / repulsion_range, moves);
         parallel_for(static_cast<std::int64_t>(moves.size()),
                      [&](std::int64_t k)
                      {

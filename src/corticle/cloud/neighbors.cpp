@@ -5,6 +5,7 @@
 #include "corticle/base/parallel.hpp"
 #include "corticle/cloud/visibility.hpp"
 #include "corticle/mesh/cell_grid.hpp"
+#include "corticle/mesh/sizes.hpp"
 
 #include <algorithm>
 #include <string>
@@ -59,20 +60,34 @@ Neighbors find_pairs_within(std::span<const Vec3> positions, double support)
     {
         throw InputError("neighbours: support " + std::to_string(support) + " mm; expected a positive length");
     }
-    const CellGrid grid(positions, support);
-    const double support2 = support * support;
-    const auto count = static_cast<std::int64_t>(positions.size());
+    return find_pairs_within(positions, std::vector<double>(positions.size(), support));
+}
+
+Neighbors find_pairs_within(std::span<const Vec3> positions, std::span<const double> supports)
+{
+    require_size("supports", supports.size(), positions.size());
     Neighbors pairs;
     pairs.begin.assign(positions.size() + 1, 0);
-    parallel_for(count,
-                 [&](std::int64_t i)
-                 {
-                     const Vec3 x = positions[i];
-                     std::int64_t found = 0;
-                     grid.near(x, [&](std::int32_t j, const Vec3& p)
-                               { found += squared_norm(p - x) < support2 && j != i; });
-                     pairs.begin[i + 1] = found;
-                 });
+    if (positions.empty())
+    {
+        return pairs;
+    }
+    const CellGrid grid(positions, *std::ranges::max_element(supports));
+    const auto count = static_cast<std::int64_t>(positions.size());
+    const auto each_neighbor = [&](std::int64_t i, auto&& visit)
+    {
+        const Vec3 x = positions[i];
+        grid.near(x,
+                  [&](std::int32_t j, const Vec3& p)
+                  {
+                      const double support = 0.5 * (supports[i] + supports[j]);
+                      if (squared_norm(p - x) < support * support && j != i)
+                      {
+                          visit(j);
+                      }
+                  });
+    };
+    parallel_for(count, [&](std::int64_t i) { each_neighbor(i, [&](std::int32_t) { ++pairs.begin[i + 1]; }); });
     for (std::int64_t i = 0; i < count; ++i)
     {
         pairs.begin[i + 1] += pairs.begin[i];
@@ -81,16 +96,8 @@ Neighbors find_pairs_within(std::span<const Vec3> positions, double support)
     parallel_for(count,
                  [&](std::int64_t i)
                  {
-                     const Vec3 x = positions[i];
                      std::int64_t to = pairs.begin[i];
-                     grid.near(x,
-                               [&](std::int32_t j, const Vec3& p)
-                               {
-                                   if (squared_norm(p - x) < support2 && j != i)
-                                   {
-                                       pairs.index[to++] = j;
-                                   }
-                               });
+                     each_neighbor(i, [&](std::int32_t j) { pairs.index[to++] = j; });
                      std::sort(pairs.index.begin() + pairs.begin[i], pairs.index.begin() + to);
                  });
     return pairs;
@@ -99,8 +106,14 @@ Neighbors find_pairs_within(std::span<const Vec3> positions, double support)
 Neighbors find_neighbors(const Cloud& cloud, const geometry::SurfaceTree& surface, double support,
                          VisibilityReport* report)
 {
-    const Neighbors pairs = find_pairs_within(cloud.positions, support);
-    const Visibility visibility(cloud, surface, support);
+    std::vector<double> supports;
+    for (std::size_t i = 0; i < cloud.positions.size(); ++i)
+    {
+        supports.push_back(support / cloud.spacing * cloud.spacing_at(i));
+    }
+    const Neighbors pairs = cloud.local_spacing.empty() ? find_pairs_within(cloud.positions, support)
+                                                        : find_pairs_within(cloud.positions, supports);
+    const Visibility visibility(cloud, surface, support / cloud.spacing * cloud.largest_spacing());
     const auto count = static_cast<std::int64_t>(cloud.positions.size());
     std::vector<char> keep(pairs.index.size(), 1);
     parallel_for(count,

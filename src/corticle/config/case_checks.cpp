@@ -109,9 +109,45 @@ void check_maps(const prepare::MapOptions& map, const Place& place)
     }
 }
 
+/// A graded spacing is of particles that are arranged, with the supports that go with it.
+void check_grading(const Options& options, const Place& place)
+{
+    if (options.geometry.grading <= 1.0)
+    {
+        return;
+    }
+    const auto refuse = [&](std::string_view key, std::string_view got, std::string_view expected)
+    {
+        throw InputError(fmt::format("geometry.grading{} is {:g}, but {}{} is {}: expected {}, or grading = 1",
+                                     place("geometry.grading"), options.geometry.grading, key, place(key), got,
+                                     expected));
+    };
+    if (options.method == model::Method::fem)
+    {
+        refuse("solver.method", "\"fem\"", "\"tlsph\"");
+    }
+    if (options.geometry.arrangement != prepare::Arrangement::body_fitted)
+    {
+        refuse("geometry.arrangement", fmt::format("\"{}\"", prepare::name_of(options.geometry.arrangement)),
+               "\"body_fitted\"");
+    }
+    if (options.tlsph.kernel_mm > 0.0)
+    {
+        refuse("solver.kernel_mm", fmt::format("{:g}", options.tlsph.kernel_mm), "0");
+    }
+    if (options.geometry.volumes != prepare::VolumeRule::cells)
+    {
+        refuse("geometry.volumes", "\"neighbour_count\"", "\"cells\"");
+    }
+    if (options.formulation != thesis::Formulation::corrected)
+    {
+        refuse("solver.formulation", "\"thesis\"", "\"corrected\"");
+    }
+}
+
 void check_particle_count(const prepare::GeometryOptions& geometry, const Place& place)
 {
-    if (!geometry.spacing_mm || geometry.shape == prepare::Shape::file)
+    if (!geometry.spacing_mm || geometry.shape == prepare::Shape::file || geometry.grading > 1.0)
     {
         return; // known once the file is read
     }
@@ -189,6 +225,7 @@ void check_case(const Options& options, const Place& place)
     check_geometry(options.geometry, place);
     check_file_keys(options.geometry, place);
     check_method(options, place);
+    check_grading(options, place);
     check_maps(options.map, place);
     check_particle_count(options.geometry, place);
     check_tissue(options, place);

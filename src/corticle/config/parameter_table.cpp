@@ -64,6 +64,9 @@ std::vector<Parameter> geometry_parameters()
         parameter("geometry.particles", "",
                   between(static_cast<double>(prepare::fewest_particles), static_cast<double>(prepare::most_particles)),
                   "About this many particles or nodes; instead of spacing_mm.", CORTICLE_MEMBER(geometry.particles)),
+        parameter("geometry.grading", "", between(1.0, 4.0),
+                  "Spacing in the core over that in the cortex, which spacing_mm is.",
+                  CORTICLE_MEMBER(geometry.grading)),
         parameter("geometry.seed", "", at_least(0.0), "Seed of the arrangement of particles.",
                   CORTICLE_MEMBER(geometry.seed)),
         parameter(

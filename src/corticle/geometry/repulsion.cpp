@@ -3,7 +3,9 @@
 
 #include "corticle/base/parallel.hpp"
 #include "corticle/mesh/cell_grid.hpp"
+#include "corticle/mesh/sizes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -17,20 +19,19 @@ namespace
 class Push
 {
   public:
-    explicit Push(double range) : range_(range) {}
-
-    void add(const Vec3& separation)
+    void add(const Vec3& separation, double range)
     {
         const double r2 = squared_norm(separation);
         separations_[count_] = separation;
-        count_ += r2 < range_ * range_ && r2 > 0.0 ? 1 : 0;
+        ranges_[count_] = range;
+        count_ += r2 < range * range && r2 > 0.0 ? 1 : 0;
         if (count_ == capacity)
         {
             weigh();
         }
     }
 
-    /// sum_j (1 - r_ij / range)² r_ij / |r_ij| over what was added; starts anew.
+    /// sum_j (1 - r_ij / range_ij)² r_ij / |r_ij| over what was added; starts anew.
     Vec3 take()
     {
         weigh();
@@ -45,36 +46,44 @@ class Push
         for (int k = 0; k < count_; ++k)
         {
             const double r = norm(separations_[k]);
-            const double gap = 1.0 - r / range_;
+            const double gap = 1.0 - r / ranges_[k];
             sum_ += (gap * gap / r) * separations_[k];
         }
         count_ = 0;
     }
 
-    double range_;
     int count_ = 0;
     Vec3 sum_;
     std::array<Vec3, capacity> separations_;
+    std::array<double, capacity> ranges_;
 };
 
 } // namespace
 
-void repulsion_moves(std::span<const Vec3> points, std::int64_t first, double range, double step, double longest,
-                     std::vector<Vec3>& moves)
+void repulsion_moves(std::span<const Vec3> points, std::int64_t first, std::span<const double> ranges, double step,
+                     double longest, std::vector<Vec3>& moves)
 {
-    const CellGrid grid(points, range);
+    require_size("ranges", ranges.size(), points.size());
+    if (points.empty())
+    {
+        moves.clear();
+        return;
+    }
+    const CellGrid grid(points, *std::ranges::max_element(ranges));
     moves.resize(points.size() - static_cast<std::size_t>(first));
     parallel_blocks(static_cast<std::int64_t>(moves.size()),
                     [&](std::int64_t begin, std::int64_t end)
                     {
-                        Push push(range);
+                        Push push;
                         for (std::int64_t k = begin; k < end; ++k)
                         {
                             const Vec3 p = points[first + k];
-                            grid.near(p, [&](std::int32_t, const Vec3& q) { push.add(p - q); });
+                            const double range = ranges[first + k];
+                            grid.near(p, [&](std::int32_t j, const Vec3& q)
+                                      { push.add(p - q, 0.5 * (range + ranges[j])); });
                             const Vec3 move = (step * range) * push.take();
                             const double length = norm(move);
-                            moves[k] = length > longest ? (longest / length) * move : move;
+                            moves[k] = length > longest * range ? (longest * range / length) * move : move;
                         }
                     });
 }

@@ -10,10 +10,11 @@
 namespace corticle::geometry
 {
 
-/// Moves that spread points [mm]: move_i = step * range * sum_j w(r_ij / range) r_ij / |r_ij|, w(q) = (1 - q)², over
-/// the points closer than `range`, for the points from index `first` on; no longer than `longest`. The same bits for
-/// any number of threads.
-void repulsion_moves(std::span<const Vec3> points, std::int64_t first, double range, double step, double longest,
-                     std::vector<Vec3>& moves);
+/// Moves that spread points [mm]: move_i = step * range_i * sum_j w(r_ij / range_ij) r_ij / |r_ij|, w(q) = (1 - q)²,
+/// over the points closer than range_ij = (range_i + range_j) / 2, for the points from index `first` on; no longer than
+/// `longest` ranges. The same bits for any number of threads.
+/// @param ranges  one per point [mm]
+void repulsion_moves(std::span<const Vec3> points, std::int64_t first, std::span<const double> ranges, double step,
+                     double longest, std::vector<Vec3>& moves);
 
 } // namespace corticle::geometry

@@ -95,9 +95,10 @@ std::vector<Vec3> scattered_points(const Axes& a, double edge_length)
 void relax_on_ellipsoid(std::vector<Vec3>& points, const Axes& a, double edge_length)
 {
     std::vector<Vec3> moves;
+    const std::vector<double> ranges(points.size(), 2.0 * edge_length);
     for (int sweep = 0; sweep < relaxation_sweeps; ++sweep)
     {
-        repulsion_moves(points, 0, 2.0 * edge_length, 0.12, 0.25 * edge_length, moves);
+        repulsion_moves(points, 0, ranges, 0.12, 0.125, moves);
         parallel_for(
             static_cast<std::int64_t>(points.size()),
             [&](std::int64_t i)

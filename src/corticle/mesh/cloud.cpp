@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/mesh/cloud.hpp"
 
+#include <algorithm>
+
 namespace corticle
 {
+
+double Cloud::largest_spacing() const
+{
+    return local_spacing.empty() ? spacing : *std::ranges::max_element(local_spacing);
+}
 
 std::vector<double> surface_values(const Cloud& cloud, std::span<const double> values, std::size_t components)
 {

@@ -79,6 +79,7 @@ struct GeometryOptions
     geometry::RepairOptions wrap;                     ///< keys wrap_alpha_mm, wrap_offset_mm
     std::optional<double> spacing_mm;                 ///< either this
     std::optional<std::int64_t> particles;            ///< or this, or Options::elements
+    double grading = 1.0;                             ///< spacing in the core over that in the cortex
     std::int64_t seed = 1;
     Arrangement arrangement = Arrangement::body_fitted;
     VolumeRule volumes = VolumeRule::cells;

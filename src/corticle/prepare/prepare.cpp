@@ -11,6 +11,7 @@
 #include "corticle/prepare/body_checks.hpp"
 #include "corticle/prepare/body_maps.hpp"
 #include "corticle/prepare/body_source.hpp"
+#include "corticle/prepare/thesis/ellipsoid.hpp"
 #include "corticle/prepare/thesis_choices.hpp"
 
 #include <fmt/format.h>
@@ -74,12 +75,42 @@ void take_nodes(const PreparationOptions& options, cloud::TetCloud nodes, Prepar
     std::ranges::move(nodes.warnings, std::back_inserter(made.report.warnings));
 }
 
+/// Triangles of a body, coarse ones of a shape.
+TriangleMesh rough_surface(const PreparationOptions& options, const BodySource& source)
+{
+    constexpr double edges = 40.0; // about so many along a great circle
+    return options.geometry.shape == Shape::file
+               ? source.surface
+               : geometry::make_ellipsoid(semi_axes(options.geometry),
+                                          2.0 * std::numbers::pi * std::cbrt(source.volume / 4.2) / edges);
+}
+
+struct GradedResolution
+{
+    Resolution resolution;
+    cloud::Grading grading;
+};
+
+GradedResolution graded_resolution(const PreparationOptions& options, const BodySource& source)
+{
+    if (options.geometry.grading <= 1.0)
+    {
+        return {resolve_resolution(options, source.volume, source.area), {}};
+    }
+    const TriangleMesh surface = rough_surface(options, source);
+    const geometry::SurfaceTree tree(surface.vertices, surface.triangles);
+    const cloud::DepthProfile profile(tree);
+    const cloud::Grading grading = grading_of(options, source.map_surface, fitted_semi_axes(surface.vertices));
+    return {resolve_resolution(options, source.volume, source.area, &profile, grading), grading};
+}
+
 /// Surface and particles or tets of the options' arrangement; the surface's vertices are particles.
 void set_cloud(const PreparationOptions& options, const BodySource& source, Preparation& made)
 {
     model::Model& model = made.model;
     const GeometryOptions& geometry = options.geometry;
-    const auto [spacing, particles] = resolve_resolution(options, source.volume, source.area);
+    const auto [resolution, grading] = graded_resolution(options, source);
+    const auto [spacing, particles] = resolution;
     if (geometry.arrangement == Arrangement::body_fitted || geometry.arrangement == Arrangement::mesh_nodes)
     {
         model.surface =
@@ -88,7 +119,8 @@ void set_cloud(const PreparationOptions& options, const BodySource& source, Prep
                 : geometry::make_ellipsoid(semi_axes(geometry), cloud::edge_per_spacing * spacing);
         if (options.method == model::Method::tlsph && geometry.arrangement == Arrangement::body_fitted)
         {
-            model.cloud = cloud::fill_surface(model.surface, {spacing, static_cast<std::uint64_t>(geometry.seed)});
+            model.cloud =
+                cloud::fill_surface(model.surface, {spacing, static_cast<std::uint64_t>(geometry.seed), grading});
             return;
         }
         const geometry::RemeshReport remesh = made.report.remesh;
@@ -202,14 +234,16 @@ double estimated_memory(model::Method method, double particles, double neighbors
     return base + particles * (bytes_per_particle + links);
 }
 
-Resolution resolve_resolution(const PreparationOptions& options, double volume_mm3, double area_mm2)
+Resolution resolve_resolution(const PreparationOptions& options, double volume_mm3, double area_mm2,
+                              const cloud::DepthProfile* profile, const cloud::Grading& grading)
 {
     const GeometryOptions& geometry = options.geometry;
-    const double count = geometry.spacing_mm ? volume_mm3 / std::pow(*geometry.spacing_mm, 3)
+    const double count = geometry.spacing_mm ? (profile != nullptr ? profile->count(*geometry.spacing_mm, grading)
+                                                                   : volume_mm3 / std::pow(*geometry.spacing_mm, 3))
                          : options.elements  ? static_cast<double>(geometry::nodes_for_tets(
                                                    *options.elements, volume_mm3, area_mm2, cloud::edge_per_spacing))
                                              : static_cast<double>(geometry.particles.value_or(default_particles));
-    const double spacing = std::cbrt(volume_mm3 / count);
+    const double spacing = profile != nullptr ? profile->spacing_for(count, grading) : std::cbrt(volume_mm3 / count);
     const std::string asked =
         geometry.spacing_mm ? fmt::format("geometry.spacing_mm = {:g}", *geometry.spacing_mm)
         : options.elements  ? fmt::format("solver.elements = {}", *options.elements)
@@ -232,6 +266,30 @@ Resolution resolve_resolution(const PreparationOptions& options, double volume_m
             count, memory / 0x1p30, available / 0x1p30));
     }
     return {spacing, std::llround(count)};
+}
+
+cloud::Grading grading_of(const PreparationOptions& options, const TriangleMesh& map_surface,
+                          const std::array<double, 3>& extents)
+{
+    if (options.geometry.grading <= 1.0)
+    {
+        return {};
+    }
+    if (has_layer_by_lambda(options))
+    {
+        return {options.geometry.grading,
+                (1.0 - std::sqrt(options.tissue.lambda)) * *std::max_element(extents.begin(), extents.end())};
+    }
+    double thickness = options.tissue.thickness_mm;
+    if (!options.map.thickness_file.empty())
+    {
+        MapOptions map;
+        map.thickness_file = options.map.thickness_file;
+        map.thickness_array = options.map.thickness_array;
+        thickness = std::ranges::max(read_body_maps(map, map_surface, map_surface.vertices).thickness);
+    }
+    return {options.geometry.grading, std::max(thickness_at(options, thickness, options.time.start),
+                                               thickness_at(options, thickness, options.time.end))};
 }
 
 Preparation arrange_body(const PreparationOptions& options)

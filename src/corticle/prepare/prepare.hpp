@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "corticle/cloud/depth_profile.hpp"
 #include "corticle/cloud/neighbors.hpp"
 #include "corticle/geometry/remesh.hpp"
 #include "corticle/model/model.hpp"
@@ -39,8 +40,16 @@ struct Resolution
     double spacing_mm;
     std::int64_t particles;
 };
+/// @param profile  of the body where the cloud is graded, null otherwise
 /// @throws InputError when it gives fewer than 500 or more than 100 million particles, or more than memory holds
-Resolution resolve_resolution(const PreparationOptions& options, double volume_mm3, double area_mm2);
+Resolution resolve_resolution(const PreparationOptions& options, double volume_mm3, double area_mm2,
+                              const cloud::DepthProfile* profile = nullptr, const cloud::Grading& grading = {});
+
+/// How the spacing grows with depth.
+/// @param map_surface  whose vertices a map of the thickness refers to
+/// @param extents      semi-axes of the body [mm]
+cloud::Grading grading_of(const PreparationOptions& options, const TriangleMesh& map_surface,
+                          const std::array<double, 3>& extents);
 
 /// Input, surface, cloud, tets, and what the tissue is where: all that depends on the keys of [geometry] and [map] and
 /// on the method alone, and all that a body file holds. @throws InputError

@@ -4,10 +4,13 @@
 #include "corticle/base/error.hpp"
 #include "corticle/base/version.hpp"
 #include "corticle/config/case_file.hpp"
+#include "corticle/prepare/thesis/ellipsoid.hpp"
 #include "corticle/record/checkpoint.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include <cmath>
 
 namespace corticle::record
 {
@@ -80,6 +83,14 @@ material::TissueFields stored_tissue(const Checkpoint& image, const std::string&
     return tissue;
 }
 
+/// Thickness of the cortex that the spacing is graded for [mm]; of a map, which goes by its checksum, 0.
+double graded_thickness(const config::Options& options, const model::Model& model)
+{
+    return options.map.thickness_file.empty()
+               ? prepare::grading_of(options, {}, prepare::fitted_semi_axes(model.surface.vertices)).cortex_mm
+               : 0.0;
+}
+
 } // namespace
 
 void write_body(const std::filesystem::path& file, const prepare::Preparation& made, const config::Options& options)
@@ -94,6 +105,8 @@ void write_body(const std::filesystem::path& file, const prepare::Preparation& m
     image.vectors["body.surface_vertex"] = model.surface.vertices;
     image.scalars["body.volume"] = model.cloud.volumes;
     image.scalars["body.spacing"] = {model.cloud.spacing};
+    image.scalars["body.local_spacing"] = model.cloud.local_spacing;
+    image.scalars["body.graded_for"] = {graded_thickness(options, model)};
     image.scalars["body.remesh"] = {made.report.remesh.area_change, made.report.remesh.volume_change,
                                     made.report.remesh.largest_distance_mm};
     image.integers["body.input_vertices"] = {made.report.input_vertices};
@@ -119,6 +132,7 @@ prepare::Preparation read_body(const std::filesystem::path& file, const config::
     model.cloud.volumes = scalars("volume");
     model.cloud.centroids = vectors("centroid");
     model.cloud.spacing = scalars("spacing").at(0);
+    model.cloud.local_spacing = scalars("local_spacing");
     const std::vector<std::int64_t> surface_particles = integers("surface_particle");
     model.cloud.surface_particles.assign(surface_particles.begin(), surface_particles.end());
     model.cloud.surface_triangles = polygons_of<3>(integers("surface_triangle"));
@@ -139,6 +153,14 @@ prepare::Preparation read_body(const std::filesystem::path& file, const config::
         model.fem = model::ElementModel{
             fem::make_elements(model.cloud.positions, polygons_of<4>(integers("tet")), model.cloud.spacing),
             stored_tissue(image, "body.tet_", file)};
+    }
+    if (const double graded = scalars("graded_for").at(0), now = graded_thickness(options, model);
+        std::abs(graded - now) > 1e-6 * graded)
+    {
+        throw InputError(
+            fmt::format("{}: the spacing of this body is graded for a cortex of {:.4g} mm: got a case with "
+                        "{:.4g} mm, expected the same",
+                        file.string(), graded, now));
     }
     made.report.source = "body file";
     made.report.notes = {"read from " + file.string()};

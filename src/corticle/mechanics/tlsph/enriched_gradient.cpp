@@ -159,8 +159,8 @@ Reach EnrichedGradients::farthest(std::int64_t begin, std::int64_t end) const
     return *std::max_element(reach.begin() + begin, reach.begin() + end);
 }
 
-EnrichedGradients enrich_gradients(const Cloud& cloud, const LargeVector<Mat3>& correction, double support,
-                                   PairBlocks& pairs)
+EnrichedGradients enrich_gradients(const Cloud& cloud, const LargeVector<Mat3>& correction,
+                                   std::span<const double> supports, PairBlocks& pairs)
 {
     const std::vector<Vec3> on_surface = surface_normals(cloud);
     const std::vector<Vec3> normals = normals_near(pairs, on_surface);
@@ -188,7 +188,7 @@ EnrichedGradients enrich_gradients(const Cloud& cloud, const LargeVector<Mat3>& 
                      {
                          result.gradient[result.at[i]] =
                              result.reach[i] == Reach::itself
-                                 ? enriched(cloud, pairs, support, i, normals[i], on_surface)
+                                 ? enriched(cloud, pairs, supports[i], i, normals[i], on_surface)
                                  : EnrichedGradient{correction[i], {}, {}, {}};
                      }
                  });

@@ -42,9 +42,9 @@ struct EnrichedGradients
 };
 
 /// Gradients of the particles that lie on the surface, or have a neighbour there.
-/// @param correction  L_i   @param support  radius of the kernel [mm]
+/// @param correction  L_i   @param supports  radius of the kernel about each particle [mm]
 /// @param pairs       with their weights; those with enriched neighbours are put first
-EnrichedGradients enrich_gradients(const Cloud& cloud, const LargeVector<Mat3>& correction, double support,
-                                   PairBlocks& pairs);
+EnrichedGradients enrich_gradients(const Cloud& cloud, const LargeVector<Mat3>& correction,
+                                   std::span<const double> supports, PairBlocks& pairs);
 
 } // namespace corticle::tlsph

@@ -59,7 +59,11 @@ Particles make_particles(const Cloud& cloud, const Neighbors& neighbors, const T
     Particles particles{cloud.positions, cloud.volumes, make_pair_blocks(neighbors), {}, {}, {},
                         options,         cloud.spacing};
     const std::size_t count = particles.X.size();
-    const double support = support_mm(options, cloud.spacing);
+    std::vector<double> supports;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        supports.push_back(support_mm(options, cloud.spacing_at(i)));
+    }
     particles.correction.resize(count);
     particles.weighted_sum.resize(count);
     std::vector<double> condition(count);
@@ -74,7 +78,8 @@ Particles make_particles(const Cloud& cloud, const Neighbors& neighbors, const T
                          const std::int32_t j = neighbors.index[k];
                          const Vec3 X_ij = particles.X[j] - particles.X[i];
                          const double volumes = particles.volume[i] * particles.volume[j];
-                         const auto rounded = static_cast<float>(volumes * pair_weight(norm(X_ij), support));
+                         const auto rounded =
+                             static_cast<float>(volumes * pair_weight(norm(X_ij), 0.5 * (supports[i] + supports[j])));
                          particles.pairs.weight[k] = rounded;
                          const auto w = static_cast<double>(rounded);
                          shape += w * outer(X_ij, X_ij);
@@ -87,7 +92,7 @@ Particles make_particles(const Cloud& cloud, const Neighbors& neighbors, const T
                      particles.weighted_sum[i] = sum;
                  });
     require_well_conditioned(particles, condition);
-    particles.enriched = enrich_gradients(cloud, particles.correction, support, particles.pairs);
+    particles.enriched = enrich_gradients(cloud, particles.correction, supports, particles.pairs);
     return particles;
 }
 
