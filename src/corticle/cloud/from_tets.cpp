@@ -9,6 +9,7 @@
 #include "corticle/cloud/quality.hpp"
 #include "corticle/cloud/thinning.hpp"
 #include "corticle/geometry/surface_tree.hpp"
+#include "corticle/mesh/sizes.hpp"
 
 #include <fmt/format.h>
 
@@ -161,6 +162,8 @@ void warn_of_unevenness(TetCloud& result)
 
 TetCloud cloud_from_tets(const TetMesh& mesh, const TetCloudOptions& options)
 {
+    require_tets(mesh);
+    require_finite("nodes of the tet mesh", mesh.vertices);
     const std::int64_t nodes = std::ssize(mesh.vertices);
     const std::int64_t wanted = options.particles.value_or(nodes);
     if (wanted < 1 || wanted > nodes)

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/geometry/remesh.hpp"
 
-#include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
 #include "corticle/geometry/cgal_triangles.hpp"
 #include "corticle/geometry/even_out.hpp"
 #include "corticle/geometry/surface_tree.hpp"
 #include "corticle/geometry/validate.hpp"
+#include "corticle/mesh/sizes.hpp"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
@@ -67,10 +67,8 @@ double largest_distance(const TriangleMesh& mesh, const SurfaceTree& surface)
 
 TriangleMesh remesh_isotropic(const TriangleMesh& surface, double edge_length, RemeshReport* report)
 {
-    if (!(edge_length > 0.0) || !std::isfinite(edge_length))
-    {
-        throw InputError("remeshing: edge length " + std::to_string(edge_length) + " mm; expected a positive number");
-    }
+    require_triangles(surface);
+    require_positive("remeshing: edge length [mm]", edge_length);
     namespace pmp = CGAL::Polygon_mesh_processing;
     Mesh mesh = to_cgal(surface);
     pmp::isotropic_remeshing(mesh.faces(), edge_length, mesh,

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/geometry/repulsion.hpp"
 
+#include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
 #include "corticle/mesh/cell_grid.hpp"
+#include "corticle/mesh/sizes.hpp"
+
+#include <fmt/format.h>
 
 #include <array>
 #include <utility>
@@ -62,6 +66,11 @@ class Push
 void repulsion_moves(std::span<const Vec3> points, std::int64_t first, double range, double step, double longest,
                      std::vector<Vec3>& moves)
 {
+    require_positive("range of the repulsion [mm]", range);
+    if (first < 0 || first > std::ssize(points))
+    {
+        throw InputError(fmt::format("first point to move: got {}, expected 0 to {}", first, points.size()));
+    }
     const CellGrid grid(points, range);
     moves.resize(points.size() - static_cast<std::size_t>(first));
     parallel_blocks(static_cast<std::int64_t>(moves.size()),

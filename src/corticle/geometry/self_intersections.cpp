@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/geometry/self_intersections.hpp"
 
+#include "corticle/mesh/sizes.hpp"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
@@ -12,6 +14,7 @@ namespace corticle::geometry
 
 std::vector<std::pair<std::int32_t, std::int32_t>> self_intersections(const TriangleMesh& surface)
 {
+    require_vertices(surface);
     using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
     using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
     Mesh mesh;
