@@ -3,6 +3,7 @@
 
 #include "corticle/prepare/options.hpp"
 #include "corticle/study/comparison.hpp"
+#include "corticle/study/export.hpp"
 #include "corticle/study/sweep/sweep.hpp"
 
 #include <filesystem>
@@ -73,12 +74,19 @@ struct SchemaArguments
 };
 int schema_command(const SchemaArguments& arguments);
 
+/// Where `corticle measure` takes its triangles from.
+enum class MeasuredSurface
+{
+    triangles, ///< the file
+    delaunay   ///< made from its points
+};
+
 struct MeasureArguments
 {
     std::filesystem::path file;
     study::RealSurfaceOptions options;
-    std::string outer = "hull";        ///< what depth and local index are measured against: "hull" | "closed"
-    std::string surface = "triangles"; ///< or "delaunay": made from points
+    metrics::OuterSurface outer = metrics::OuterSurface::hull;
+    MeasuredSurface surface = MeasuredSurface::triangles;
     std::optional<double> length_limit_mm;
     std::filesystem::path out;
     bool overwrite = false;
@@ -99,15 +107,12 @@ struct RenderArguments
 };
 int render_command(const RenderArguments& arguments);
 
-struct ExportArguments
+int export_command(const study::ExportRequest& request);
+
+template <>
+inline std::vector<std::string> config::names<MeasuredSurface>()
 {
-    std::filesystem::path run_folder;
-    std::string format;
-    std::vector<double> times; ///< empty: the last frame
-    std::filesystem::path out; ///< empty: RUN/export
-    bool overwrite = false;
-    std::string structure = "Cortex";
-};
-int export_command(const ExportArguments& arguments);
+    return {"triangles", "delaunay"};
+}
 
 } // namespace corticle
