@@ -137,7 +137,7 @@ TetCloud thinned(const TetMesh& mesh, std::int64_t wanted, const TetCloudOptions
     return result;
 }
 
-void warn_of_unevenness(TetCloud& result)
+void warn_of_irregularity(TetCloud& result)
 {
     constexpr double closest = 0.5; // spacings, below which pairs distort the gradient
     constexpr double largest = 3.0; // mean volumes, above which neighbours are few
@@ -172,7 +172,7 @@ TetCloud cloud_from_tets(const TetMesh& mesh, const TetCloudOptions& options)
             fmt::format("tet mesh: {} particles; expected 1 to {}, the number of its nodes", wanted, nodes));
     }
     TetCloud result = wanted == nodes ? every_node(mesh) : thinned(mesh, wanted, options);
-    warn_of_unevenness(result);
+    warn_of_irregularity(result);
     return result;
 }
 

@@ -12,7 +12,7 @@
 namespace corticle::config
 {
 
-/// Checks what no single parameter can tell. `place(key)` says where a key was given: " (case.toml:4)", or "".
+/// Checks that concern several parameters. `place(key)` says where a key was given: " (case.toml:4)", or "".
 /// @throws InputError
 void check_case(const Options& options, const std::function<std::string(std::string_view)>& place);
 

@@ -97,7 +97,7 @@ void require_both_hemispheres(const GridMask& body, const Plane& plane, std::str
                         hemisphere, where));
     }
     warnings.push_back(
-        fmt::format("{}: the origin of the image is not between the hemispheres; they were told apart by "
+        fmt::format("{}: the origin of the image is not between the hemispheres; they were distinguished by "
                     "the direction of x",
                     where));
 }

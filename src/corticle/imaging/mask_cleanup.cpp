@@ -43,7 +43,7 @@ std::string present_labels(const LabelVolume& image)
     return list;
 }
 
-/// Tells, for every voxel of an image, whether its label is chosen.
+/// Whether the label of a voxel is chosen.
 class Choice
 {
   public:

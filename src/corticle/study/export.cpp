@@ -66,7 +66,7 @@ std::map<std::size_t, std::vector<double>> chosen_frames(const Frames& frames, c
     return chosen;
 }
 
-/// As many decimals as tell all times apart, at least three.
+/// As many decimals as distinguish all times, at least three.
 int decimals_for(const Frames& frames)
 {
     constexpr int fewest = 3;

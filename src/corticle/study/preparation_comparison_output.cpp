@@ -65,7 +65,7 @@ std::vector<Section> sections(const PreparationComparison& comparison)
         layers.rows.push_back(
             {e.choice, {{"cortex_share", e.cortex_share}, {"misassigned_share", e.misassigned_share}}});
     }
-    Section& clouds = all.emplace_back(Section{"clouds", "Evenness of the cloud, distances in spacings", {}});
+    Section& clouds = all.emplace_back(Section{"clouds", "Regularity of the cloud, distances in spacings", {}});
     for (const auto& [choice, e] : comparison.clouds)
     {
         clouds.rows.push_back({choice,
