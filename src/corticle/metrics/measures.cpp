@@ -110,8 +110,8 @@ Measures measure(const model::OutputView& view, const SurfaceArrays& arrays)
     m.thickness_mean_mm = area_mean(arrays.thickness, vertex_areas(x, model.cloud.surface_triangles));
     m.fold_wavelength_reference_mm = waves.wavelength_mm;
     m.fold_degree = waves.degree;
-    set_volume_ratios(model, view.F, m);
-    set_energies(simulation, view.F, m);
+    set_volume_ratios(model, *view.F, m);
+    set_energies(simulation, *view.F, m);
     m.overlap_area_share = overlap.area_share;
     m.max_penetration_mm = overlap.deepest_penetration;
     m.barrier_particles = static_cast<double>(simulation.internal().barrier_count);

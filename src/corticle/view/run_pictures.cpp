@@ -56,7 +56,7 @@ CutInput middle_cut(const record::Frame& frame, std::span<const double> scalar)
                                                    [](const Vec3& a, const Vec3& b) { return a.y < b.y; });
     return {.positions = frame.particles,
             .origins = frame.origins,
-            .F = frame.F,
+            .F = *frame.F,
             .theta = frame.theta,
             .scalar = scalar,
             .spacing = frame.spacing,
