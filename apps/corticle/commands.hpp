@@ -2,8 +2,10 @@
 #pragma once
 
 #include "corticle/prepare/options.hpp"
+#include "corticle/record/run_request.hpp"
 #include "corticle/study/comparison.hpp"
 #include "corticle/study/export.hpp"
+#include "corticle/study/preparation_folder.hpp"
 #include "corticle/study/sweep/sweep.hpp"
 
 #include <filesystem>
@@ -27,15 +29,10 @@ inline constexpr int interrupted = 130;
 struct RunArguments
 {
     std::filesystem::path case_file;
-    std::filesystem::path out;  ///< empty: runs/<stem of the case>
-    std::filesystem::path body; ///< prepared body, or the folder that holds it; empty: prepare it
     std::vector<std::string> overrides;
-    int threads = 0; ///< 0: all cores
-    bool resume = false;
-    bool overwrite = false;
-    bool quiet = false;
+    record::RunRequest request; ///< without options; out empty: runs/<stem of the case>; body: also its folder
 };
-int run_command(const RunArguments& arguments);
+int run_command(RunArguments arguments);
 
 /// Without a folder: runs/<stem of the sweep>.
 int sweep_command(sweep::SweepRequest request);
@@ -43,14 +40,11 @@ int sweep_command(sweep::SweepRequest request);
 struct PrepareArguments
 {
     std::filesystem::path case_file;
-    std::filesystem::path out; ///< empty: prepared/<stem of the case>
     std::vector<std::string> overrides;
-    int threads = 0; ///< 0: all cores
-    bool overwrite = false;
-    bool compare_thesis = false;
+    study::PrepareRequest request; ///< without options; out empty: prepared/<stem of the case>
     bool quiet = false;
 };
-int prepare_command(const PrepareArguments& arguments);
+int prepare_command(PrepareArguments arguments);
 
 struct NewArguments
 {

@@ -71,15 +71,16 @@ void add_run(CLI::App& app, Verb& chosen)
     auto arguments = std::make_shared<RunArguments>();
     CLI::App* verb = app.add_subcommand("run", "Run a case");
     verb->add_option("case", arguments->case_file, "Case to run")->type_name("CASE.toml")->required();
-    verb->add_option("--out", arguments->out, "Run folder (default: runs/<name of the case>)")->type_name("DIR");
-    verb->add_option("--body", arguments->body,
+    verb->add_option("--out", arguments->request.out, "Run folder (default: runs/<name of the case>)")
+        ->type_name("DIR");
+    verb->add_option("--body", arguments->request.body,
                      "Body made by prepare from the same [geometry] and [map], or its folder")
         ->type_name("BODY");
     add_overrides(*verb, arguments->overrides);
-    add_threads(*verb, arguments->threads);
-    verb->add_flag("--resume", arguments->resume, "Continue the run in the folder from its checkpoint");
-    verb->add_flag("--overwrite", arguments->overwrite, "Remove an earlier run in the folder first");
-    verb->add_flag("--quiet", arguments->quiet, "Print nothing but errors");
+    add_threads(*verb, arguments->request.threads);
+    verb->add_flag("--resume", arguments->request.resume, "Continue the run in the folder from its checkpoint");
+    verb->add_flag("--overwrite", arguments->request.overwrite, "Remove an earlier run in the folder first");
+    verb->add_flag("--quiet", arguments->request.quiet, "Print nothing but errors");
     verb->callback([arguments, &chosen] { chosen = [arguments] { return run_command(*arguments); }; });
 }
 
@@ -114,12 +115,12 @@ void add_prepare(CLI::App& app, Verb& chosen)
     CLI::App* verb =
         app.add_subcommand("prepare", "Make the body of a case, and nothing else: report, files, pictures");
     verb->add_option("case", arguments->case_file, "Case to prepare")->type_name("CASE.toml")->required();
-    verb->add_option("--out", arguments->out, "Folder for the body (default: prepared/<name of the case>)")
+    verb->add_option("--out", arguments->request.out, "Folder for the body (default: prepared/<name of the case>)")
         ->type_name("DIR");
     add_overrides(*verb, arguments->overrides);
-    add_threads(*verb, arguments->threads);
-    verb->add_flag("--overwrite", arguments->overwrite, "Replace an earlier body in the folder");
-    verb->add_flag("--compare-thesis", arguments->compare_thesis,
+    add_threads(*verb, arguments->request.threads);
+    verb->add_flag("--overwrite", arguments->request.overwrite, "Replace an earlier body in the folder");
+    verb->add_flag("--compare-thesis", arguments->request.compare_thesis,
                    "Also measure the thesis's own choices beside the exact answer");
     verb->add_flag("--quiet", arguments->quiet, "Print nothing but errors");
     verb->callback([arguments, &chosen] { chosen = [arguments] { return prepare_command(*arguments); }; });

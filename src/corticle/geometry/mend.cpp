@@ -94,15 +94,7 @@ TriangleMesh orient_and_fill_holes(const TriangleMesh& surface, std::int64_t& fi
 bool remove_self_intersections(TriangleMesh& surface)
 {
     require_vertices(surface);
-    Mesh mesh;
-    for (const Point& p : points_of(surface))
-    {
-        mesh.add_vertex(p);
-    }
-    for (const Triangle& t : surface.triangles)
-    {
-        mesh.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2]));
-    }
+    auto mesh = cgal_mesh<Mesh>(surface);
     if (!pmp::experimental::remove_self_intersections(mesh, pmp::parameters::preserve_genus(true)))
     {
         return false;
