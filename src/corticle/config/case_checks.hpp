@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
-
 #include "corticle/config/options.hpp"
 
+#include <array>
 #include <functional>
 #include <span>
 #include <string_view>
