@@ -108,7 +108,7 @@ void surface_measures(benchmark::State& state)
     {
         benchmark::DoNotOptimize(metrics::surface_arrays(view));
     }
-    count_particles(state, static_cast<double>(view.F.size()));
+    count_particles(state, static_cast<double>(view.F->size()));
 }
 
 /// The files of an output time.
@@ -123,7 +123,7 @@ void frame_files(benchmark::State& state)
         const record::Frame frame = record::make_frame(view, arrays, "0000");
         record::write_frame(folder.path(), view, frame, arrays);
     }
-    count_particles(state, static_cast<double>(view.F.size()));
+    count_particles(state, static_cast<double>(view.F->size()));
     report_files(state, folder);
 }
 

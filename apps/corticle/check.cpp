@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands.hpp"
 
-#include <array>
-
 #include "corticle/config/case_checks.hpp"
 #include "corticle/config/case_file.hpp"
 #include "corticle/study/run_folder.hpp"
 
 #include <fmt/format.h>
+
+#include <array>
 
 namespace corticle
 {

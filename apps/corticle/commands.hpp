@@ -2,7 +2,10 @@
 #pragma once
 
 #include "corticle/prepare/options.hpp"
+#include "corticle/record/run_request.hpp"
 #include "corticle/study/comparison.hpp"
+#include "corticle/study/export.hpp"
+#include "corticle/study/preparation_folder.hpp"
 #include "corticle/study/sweep/sweep.hpp"
 
 #include <filesystem>
@@ -26,15 +29,10 @@ inline constexpr int interrupted = 130;
 struct RunArguments
 {
     std::filesystem::path case_file;
-    std::filesystem::path out;  ///< empty: runs/<stem of the case>
-    std::filesystem::path body; ///< prepared body, or the folder that holds it; empty: prepare it
     std::vector<std::string> overrides;
-    int threads = 0; ///< 0: all cores
-    bool resume = false;
-    bool overwrite = false;
-    bool quiet = false;
+    record::RunRequest request; ///< without options; out empty: runs/<stem of the case>; body: also its folder
 };
-int run_command(const RunArguments& arguments);
+int run_command(RunArguments arguments);
 
 /// Without a folder: runs/<stem of the sweep>.
 int sweep_command(sweep::SweepRequest request);
@@ -42,14 +40,11 @@ int sweep_command(sweep::SweepRequest request);
 struct PrepareArguments
 {
     std::filesystem::path case_file;
-    std::filesystem::path out; ///< empty: prepared/<stem of the case>
     std::vector<std::string> overrides;
-    int threads = 0; ///< 0: all cores
-    bool overwrite = false;
-    bool compare_thesis = false;
+    study::PrepareRequest request; ///< without options; out empty: prepared/<stem of the case>
     bool quiet = false;
 };
-int prepare_command(const PrepareArguments& arguments);
+int prepare_command(PrepareArguments arguments);
 
 struct NewArguments
 {
@@ -73,12 +68,19 @@ struct SchemaArguments
 };
 int schema_command(const SchemaArguments& arguments);
 
+/// Where `corticle measure` takes its triangles from.
+enum class MeasuredSurface
+{
+    triangles, ///< the file
+    delaunay   ///< made from its points
+};
+
 struct MeasureArguments
 {
     std::filesystem::path file;
     study::RealSurfaceOptions options;
-    std::string outer = "hull";        ///< what depth and local index are measured against: "hull" | "closed"
-    std::string surface = "triangles"; ///< or "delaunay": made from points
+    metrics::OuterSurface outer = metrics::OuterSurface::hull;
+    MeasuredSurface surface = MeasuredSurface::triangles;
     std::optional<double> length_limit_mm;
     std::filesystem::path out;
     bool overwrite = false;
@@ -99,15 +101,12 @@ struct RenderArguments
 };
 int render_command(const RenderArguments& arguments);
 
-struct ExportArguments
+int export_command(const study::ExportRequest& request);
+
+template <>
+inline std::vector<std::string> config::names<MeasuredSurface>()
 {
-    std::filesystem::path run_folder;
-    std::string format;
-    std::vector<double> times; ///< empty: the last frame
-    std::filesystem::path out; ///< empty: RUN/export
-    bool overwrite = false;
-    std::string structure = "Cortex";
-};
-int export_command(const ExportArguments& arguments);
+    return {"triangles", "delaunay"};
+}
 
 } // namespace corticle

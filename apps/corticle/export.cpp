@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands.hpp"
 
-#include "corticle/study/export.hpp"
-
 #include <fmt/format.h>
 
 namespace corticle
 {
 
-int export_command(const ExportArguments& arguments)
+int export_command(const study::ExportRequest& request)
 {
-    const std::vector<study::ExportedFrame> frames =
-        study::export_run({arguments.run_folder, arguments.format, arguments.times, arguments.out, arguments.overwrite,
-                           arguments.structure});
-    for (const study::ExportedFrame& frame : frames)
+    for (const study::ExportedFrame& frame : study::export_run(request))
     {
         fmt::print("t = {}{}: {}\n", frame.t,
                    frame.asked.empty() ? "" : fmt::format(" (nearest to {})", fmt::join(frame.asked, ", ")),

@@ -8,13 +8,13 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 
 #include <cstdio>
 #include <functional>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <new>
 
@@ -39,13 +39,16 @@ int complain(std::string message, int status)
     return status;
 }
 
-/// An option that is one of these names.
+/// An option that is one of the names of an enumeration, as in cases.
 template <class T>
-CLI::Option* add_choice(CLI::App& verb, const std::string& name, T& chosen, const std::map<std::string, T>& choices,
-                        const std::string& meaning)
+CLI::Option* add_choice(CLI::App& verb, const std::string& name, T& chosen, const std::string& meaning)
 {
-    const auto take = [&chosen, choices](const std::string& word) { chosen = choices.at(word); };
-    return verb.add_option_function<std::string>(name, take, meaning)->check(CLI::IsMember(choices));
+    const std::vector<std::string> names = config::names<T>();
+    const auto take = [&chosen, names](const std::string& word)
+    { chosen = static_cast<T>(std::ranges::find(names, word) - names.begin()); };
+    return verb.add_option_function<std::string>(name, take, meaning)
+        ->check(CLI::IsMember(names))
+        ->default_str(names[static_cast<std::size_t>(chosen)]);
 }
 
 void add_overrides(CLI::App& verb, std::vector<std::string>& overrides)
@@ -68,15 +71,16 @@ void add_run(CLI::App& app, Verb& chosen)
     auto arguments = std::make_shared<RunArguments>();
     CLI::App* verb = app.add_subcommand("run", "Run a case");
     verb->add_option("case", arguments->case_file, "Case to run")->type_name("CASE.toml")->required();
-    verb->add_option("--out", arguments->out, "Run folder (default: runs/<name of the case>)")->type_name("DIR");
-    verb->add_option("--body", arguments->body,
+    verb->add_option("--out", arguments->request.out, "Run folder (default: runs/<name of the case>)")
+        ->type_name("DIR");
+    verb->add_option("--body", arguments->request.body,
                      "Body made by prepare from the same [geometry] and [map], or its folder")
         ->type_name("BODY");
     add_overrides(*verb, arguments->overrides);
-    add_threads(*verb, arguments->threads);
-    verb->add_flag("--resume", arguments->resume, "Continue the run in the folder from its checkpoint");
-    verb->add_flag("--overwrite", arguments->overwrite, "Remove an earlier run in the folder first");
-    verb->add_flag("--quiet", arguments->quiet, "Print nothing but errors");
+    add_threads(*verb, arguments->request.threads);
+    verb->add_flag("--resume", arguments->request.resume, "Continue the run in the folder from its checkpoint");
+    verb->add_flag("--overwrite", arguments->request.overwrite, "Remove an earlier run in the folder first");
+    verb->add_flag("--quiet", arguments->request.quiet, "Print nothing but errors");
     verb->callback([arguments, &chosen] { chosen = [arguments] { return run_command(*arguments); }; });
 }
 
@@ -111,12 +115,12 @@ void add_prepare(CLI::App& app, Verb& chosen)
     CLI::App* verb =
         app.add_subcommand("prepare", "Make the body of a case, and nothing else: report, files, pictures");
     verb->add_option("case", arguments->case_file, "Case to prepare")->type_name("CASE.toml")->required();
-    verb->add_option("--out", arguments->out, "Folder for the body (default: prepared/<name of the case>)")
+    verb->add_option("--out", arguments->request.out, "Folder for the body (default: prepared/<name of the case>)")
         ->type_name("DIR");
     add_overrides(*verb, arguments->overrides);
-    add_threads(*verb, arguments->threads);
-    verb->add_flag("--overwrite", arguments->overwrite, "Replace an earlier body in the folder");
-    verb->add_flag("--compare-thesis", arguments->compare_thesis,
+    add_threads(*verb, arguments->request.threads);
+    verb->add_flag("--overwrite", arguments->request.overwrite, "Replace an earlier body in the folder");
+    verb->add_flag("--compare-thesis", arguments->request.compare_thesis,
                    "Also measure the thesis's own choices beside the exact answer");
     verb->add_flag("--quiet", arguments->quiet, "Print nothing but errors");
     verb->callback([arguments, &chosen] { chosen = [arguments] { return prepare_command(*arguments); }; });
@@ -129,11 +133,7 @@ void add_new(CLI::App& app, Verb& chosen)
     verb->add_option("case", arguments->what, "Case to write; brain: the phantom, as brain.nii.gz and brain.toml")
         ->type_name("NAME.toml|brain")
         ->required();
-    const std::map<std::string, prepare::Shape> shapes{
-        {"sphere", prepare::Shape::sphere}, {"ellipsoid", prepare::Shape::ellipsoid}, {"file", prepare::Shape::file}};
-    add_choice(*verb, "--shape", arguments->shape, shapes, "sphere, ellipsoid or file")
-        ->default_str("sphere")
-        ->type_name("SHAPE");
+    add_choice(*verb, "--shape", arguments->shape, "sphere, ellipsoid or file")->type_name("SHAPE");
     verb->callback([arguments, &chosen] { chosen = [arguments] { return new_command(*arguments); }; });
 }
 
@@ -159,15 +159,9 @@ void add_schema(CLI::App& app, Verb& chosen)
 /// How a real brain is read, for the verbs that measure one.
 void add_real_surface(CLI::App& verb, study::RealSurfaceOptions& options)
 {
-    const std::map<std::string, formats::UnitOfLength> units{
-        {"mm", formats::UnitOfLength::mm}, {"cm", formats::UnitOfLength::cm}, {"m", formats::UnitOfLength::m}};
-    add_choice(verb, "--unit", options.unit, units, "Unit of length of surface files: mm, cm or m")
-        ->default_str("mm")
-        ->type_name("UNIT");
-    const std::map<std::string, formats::Coordinates> coordinates{{"scanner", formats::Coordinates::scanner},
-                                                                  {"file", formats::Coordinates::file}};
-    add_choice(verb, "--coordinates", options.coordinates, coordinates,
-               "scanner: brought to the scanner's where the file says how (default); file: as they are")
+    add_choice(verb, "--unit", options.unit, "Unit of length of surface files: mm, cm or m")->type_name("UNIT");
+    add_choice(verb, "--coordinates", options.coordinates,
+               "scanner: brought to the scanner's where the file says how; file: as they are")
         ->type_name("WHICH");
     verb.add_option("--labels", options.mask.labels, "Labels of a label volume that are the body (default: all but 0)")
         ->type_name("A,B,...")
@@ -189,18 +183,13 @@ void add_measure(CLI::App& app, Verb& chosen)
         ->type_name("FILE")
         ->required();
     add_real_surface(*verb, arguments->options);
-    verb->add_option("--outer", arguments->outer,
-                     "Outer surface for sulcal depth and local index: hull, or closed (a ball rolled around the body)")
-        ->capture_default_str()
-        ->type_name("SURFACE")
-        ->check(CLI::IsMember({"hull", "closed"}));
-    verb->add_option(
-            "--surface", arguments->surface,
-            "triangles: as the file has it; delaunay: made from its points alone (particles_*.vtu, a .csv with "
-            "x, y, z, or vertices), beside the surface of the run where the file belongs to one")
-        ->capture_default_str()
-        ->type_name("HOW")
-        ->check(CLI::IsMember({"triangles", "delaunay"}));
+    add_choice(*verb, "--outer", arguments->outer,
+               "Outer surface for sulcal depth and local index: hull, or closed (a ball rolled around the body)")
+        ->type_name("SURFACE");
+    add_choice(*verb, "--surface", arguments->surface,
+               "triangles: as the file has it; delaunay: made from its points alone (particles_*.vtu, a .csv with "
+               "x, y, z, or vertices), beside the surface of the run where the file belongs to one")
+        ->type_name("HOW");
     verb->add_option("--length-limit", arguments->length_limit_mm,
                      "Largest radius of the ball about a tet (default: 5/3 of the mean distance of points)")
         ->type_name("MM")
@@ -243,23 +232,23 @@ void add_render(CLI::App& app, Verb& chosen)
 
 void add_export(CLI::App& app, Verb& chosen)
 {
-    auto arguments = std::make_shared<ExportArguments>();
+    auto request = std::make_shared<study::ExportRequest>();
     CLI::App* verb = app.add_subcommand("export", "Write the deformed surface of a run for other programs");
-    verb->add_option("run", arguments->run_folder, "Run folder")->type_name("RUN")->required();
-    verb->add_option("--format", arguments->format, "gifti, freesurfer, ply or stl")
+    verb->add_option("run", request->run, "Run folder")->type_name("RUN")->required();
+    add_choice(*verb, "--format", request->format, "gifti, freesurfer, ply or stl")
         ->type_name("FORMAT")
-        ->required()
-        ->check(CLI::IsMember({"gifti", "freesurfer", "ply", "stl"}));
-    verb->add_option("--time", arguments->times, "Growth time; the nearest frame is written (default: the last)")
+        ->default_str("")
+        ->required();
+    verb->add_option("--time", request->times, "Growth time; the nearest frame is written (default: the last)")
         ->type_name("T")
         ->type_size(1)
         ->allow_extra_args(false);
-    verb->add_option("--out", arguments->out, "Folder to write to (default: RUN/export)")->type_name("DIR");
-    verb->add_flag("--overwrite", arguments->overwrite, "Replace files of earlier exports in the folder");
-    verb->add_option("--structure", arguments->structure, "GIFTI: part of the brain, CortexLeft, CortexRight, ...")
+    verb->add_option("--out", request->out, "Folder to write to (default: RUN/export)")->type_name("DIR");
+    verb->add_flag("--overwrite", request->overwrite, "Replace files of earlier exports in the folder");
+    verb->add_option("--structure", request->structure, "GIFTI: part of the brain, CortexLeft, CortexRight, ...")
         ->capture_default_str()
         ->type_name("NAME");
-    verb->callback([arguments, &chosen] { chosen = [arguments] { return export_command(*arguments); }; });
+    verb->callback([request, &chosen] { chosen = [request] { return export_command(*request); }; });
 }
 
 int dispatch(int argc, char** argv)

@@ -56,7 +56,7 @@ void print_lines(const char* kind, std::span<const std::string> lines)
 
 std::vector<metrics::SurfaceRow> measured(const MeasureArguments& arguments)
 {
-    if (arguments.surface == "delaunay")
+    if (arguments.surface == MeasuredSurface::delaunay)
     {
         require_new_file(arguments);
         return study::measure_point_surface({arguments.file, arguments.length_limit_mm, arguments.out});
@@ -70,7 +70,7 @@ std::vector<metrics::SurfaceRow> measured(const MeasureArguments& arguments)
     print_lines("note", reading.notes);
     print_lines("warning", reading.warnings);
     metrics::FoldOptions folds;
-    folds.outer = arguments.outer == "closed" ? metrics::OuterSurface::closed : metrics::OuterSurface::hull;
+    folds.outer = arguments.outer;
     return study::surface_rows(reading, folds);
 }
 

@@ -4,24 +4,22 @@
 #include "corticle/config/case_file.hpp"
 #include "corticle/config/case_inputs.hpp"
 #include "corticle/study/interruption.hpp"
-#include "corticle/study/preparation_folder.hpp"
 
 #include <fmt/format.h>
 
 namespace corticle
 {
 
-int prepare_command(const PrepareArguments& arguments)
+int prepare_command(PrepareArguments arguments)
 {
     study::exit_when_interrupted();
-    study::PrepareRequest request;
+    study::PrepareRequest& request = arguments.request;
     request.options = config::read_case(arguments.case_file, arguments.overrides);
     config::identify_inputs(request.options);
-    request.out =
-        arguments.out.empty() ? std::filesystem::path("prepared") / arguments.case_file.stem() : arguments.out;
-    request.threads = arguments.threads;
-    request.overwrite = arguments.overwrite;
-    request.compare_thesis = arguments.compare_thesis;
+    if (request.out.empty())
+    {
+        request.out = std::filesystem::path("prepared") / arguments.case_file.stem();
+    }
     const std::string report = study::prepare(request);
     if (!arguments.quiet)
     {

@@ -60,7 +60,7 @@ def moved_project(bench):
     bench.accepted("run", "two/case.toml", "--out", "run", "--resume", "--set", "time.end=0.03", *QUIET)
 
 
-def told(bench):
+def checksums_of_inputs(bench):
     """The summary and the report of a preparation name each file with the checksum that sha256sum gives."""
     project(bench)
     bench.accepted("prepare", "case.toml", "--out", "body", "--quiet", "--set", "output.pictures=off")
@@ -106,4 +106,4 @@ def make_fold(bench):
 
 
 if __name__ == "__main__":
-    _command.main(__doc__, changed_inputs, moved_project, told, sweep, make_fold)
+    _command.main(__doc__, changed_inputs, moved_project, checksums_of_inputs, sweep, make_fold)

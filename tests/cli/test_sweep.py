@@ -50,7 +50,7 @@ def rows(bench, out="S"):
 
 
 def made(bench, out="S"):
-    """What tells whether a run was made again: its log, by the name of its folder."""
+    """What shows whether a run was made again: its log, by the name of its folder."""
     return {path.parent.name: path.read_bytes() for path in (bench.folder / out / "runs").glob("*/run.log")}
 
 

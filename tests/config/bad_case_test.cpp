@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <array>
-
 #include "corticle/base/error.hpp"
 #include "corticle/config/case_file.hpp"
 
 #include <gtest/gtest.h>
+
+#include <array>
 
 namespace corticle
 {

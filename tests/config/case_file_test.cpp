@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <array>
-
 #include "corticle/base/error.hpp"
 #include "corticle/config/case_checks.hpp"
 #include "corticle/config/case_file.hpp"
@@ -8,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <fstream>
 
 namespace corticle

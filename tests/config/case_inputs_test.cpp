@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <array>
-
 #include "corticle/base/error.hpp"
 #include "corticle/config/case_file.hpp"
 #include "corticle/config/case_inputs.hpp"
@@ -9,6 +7,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <array>
 
 namespace corticle
 {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <array>
-
 #include "corticle/base/error.hpp"
 #include "corticle/config/case_file.hpp"
 #include "corticle/material/thickness_presets.hpp"
 
 #include <gtest/gtest.h>
+
+#include <array>
 
 namespace corticle
 {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <array>
-
 #include "corticle/base/error.hpp"
 #include "corticle/config/case_checks.hpp"
 #include "corticle/config/case_file.hpp"
 #include "corticle/record/run_files.hpp"
 
 #include <gtest/gtest.h>
+
+#include <array>
 
 namespace corticle
 {

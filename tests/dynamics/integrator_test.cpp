@@ -105,7 +105,7 @@ TEST(Advance, TellsTheLongestWay)
     EXPECT_NEAR(dynamics::advance(motion, std::vector{2.0, 2.0}, 0.1, 0.0, next).longest, 0.5, 1e-15);
 }
 
-TEST(Advance, EnergyBooksBalance)
+TEST(Advance, EnergyBalanceBalance)
 {
     Oscillator oscillator;
     oscillator.damping = 0.4;

@@ -120,7 +120,7 @@ inline std::string freesurfer_surface(const TriangleMesh& mesh, const std::strin
     return bytes + tags;
 }
 
-/// The tag that tells where the volume behind a FreeSurfer surface lies.
+/// The tag that says where the volume behind a FreeSurfer surface lies.
 inline std::string volume_geometry(const std::string& valid, const std::string& axes, const std::string& centre)
 {
     std::string bytes;

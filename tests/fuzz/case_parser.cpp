@@ -2,13 +2,12 @@
 // Mutates valid cases and overrides: only InputError may come out of the parser, and soon.
 // Usage: case_parser [SECONDS [SEED]]
 
-#include <array>
-
 #include "corticle/base/error.hpp"
 #include "corticle/config/case_file.hpp"
 #include "corticle/config/starter.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>

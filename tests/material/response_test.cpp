@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/material/response.hpp"
 
+#include "corticle/base/dual.hpp"
 #include "corticle/base/wide_group.hpp"
 #include "corticle/material/neo_hookean.hpp"
-#include "material/dual.hpp"
 #include "material/mooney_rivlin.hpp"
 #include "mechanics/tlsph/small_body.hpp"
 
@@ -15,8 +15,6 @@ namespace corticle
 {
 namespace
 {
-
-using test::Dual;
 
 /// A deformed and grown material point, its numbers in any precision.
 template <RealLike Real>

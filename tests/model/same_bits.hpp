@@ -25,8 +25,8 @@ inline void expect_same_bits(const model::Simulation& a, const model::Simulation
     EXPECT_EQ(a.state().steps, b.state().steps);
     EXPECT_EQ(a.state().step_scale, b.state().step_scale);
     EXPECT_EQ(a.state().kinetic_energy, b.state().kinetic_energy);
-    EXPECT_EQ(a.state().books.growth_work, b.state().books.growth_work);
-    EXPECT_EQ(a.state().books.dissipated, b.state().books.dissipated);
+    EXPECT_EQ(a.state().energy_balance.growth_work, b.state().energy_balance.growth_work);
+    EXPECT_EQ(a.state().energy_balance.dissipated, b.state().energy_balance.dissipated);
     EXPECT_EQ(a.state().lowest_gi_sphere, b.state().lowest_gi_sphere);
     EXPECT_EQ(a.state().loading_rate, b.state().loading_rate);
     EXPECT_EQ(a.step_size(), b.step_size());

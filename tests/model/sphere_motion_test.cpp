@@ -77,7 +77,7 @@ TEST(SphereMotion, BreathesWithThePeriodOfTheory)
     EXPECT_NEAR(period / (0.857571 * radius), 1.0, 0.03);
 }
 
-TEST(SphereMotion, EnergyBooksOfADampedVibrationBalance)
+TEST(SphereMotion, EnergyBalanceOfADampedVibrationBalance)
 {
     config::Options options = uniform_options(2500);
     options.dynamics.loading_time = 4.0;
@@ -94,13 +94,14 @@ TEST(SphereMotion, EnergyBooksOfADampedVibrationBalance)
         const model::State& state = simulation.state();
         // Symplectic Euler keeps an energy that differs from ours by w dt / 2 of the kinetic one; the fastest modes a
         // uniform strain excites have w dt of some 0.05.
-        ASSERT_NEAR((stored() + state.kinetic_energy + state.books.dissipated) / at_start, 1.0, 0.02) << state.t;
+        ASSERT_NEAR((stored() + state.kinetic_energy + state.energy_balance.dissipated) / at_start, 1.0, 0.02)
+            << state.t;
     }
-    EXPECT_GT(simulation.state().books.dissipated, 0.5 * at_start);
-    EXPECT_EQ(simulation.state().books.growth_work, 0.0);
+    EXPECT_GT(simulation.state().energy_balance.dissipated, 0.5 * at_start);
+    EXPECT_EQ(simulation.state().energy_balance.growth_work, 0.0);
 }
 
-TEST(SphereMotion, EnergyBooksOfGrowthBalance)
+TEST(SphereMotion, EnergyBalanceOfGrowthBalance)
 {
     config::Options options = test::sphere_options(2500);
     options.contact.enabled = false;
@@ -114,7 +115,8 @@ TEST(SphereMotion, EnergyBooksOfGrowthBalance)
     }
     const model::State& state = simulation.state();
     const double stored = simulation.internal().elastic_energy + simulation.internal().zero_mode_energy;
-    EXPECT_NEAR((stored + state.kinetic_energy + state.books.dissipated) / state.books.growth_work, 1.0, 0.002);
+    EXPECT_NEAR((stored + state.kinetic_energy + state.energy_balance.dissipated) / state.energy_balance.growth_work,
+                1.0, 0.002);
     EXPECT_LT(state.kinetic_energy, 0.05 * stored);
 }
 

@@ -22,7 +22,7 @@ def find(name):
 
 
 def knows_devices(compiler, options, folder):
-    """Whether the compiler was built with this target at all: an empty kernel tells."""
+    """Whether the compiler was built with this target at all: an empty kernel shows it."""
     probe = folder / "probe.cu"
     probe.write_text("__attribute__((global)) void nothing() {}\n", encoding="utf-8")
     command = [compiler, "-std=c++20", *options, "-o", folder / "probe.out", probe]

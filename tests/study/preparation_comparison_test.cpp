@@ -86,14 +86,14 @@ TEST(PreparationComparison, RandomThinningIsUneven)
 {
     const study::PreparationComparison& c = compared().comparison;
     ASSERT_EQ(c.clouds.size(), 3u);
-    const study::Evenness& ours = c.clouds[0].evenness;
-    const study::Evenness& random = c.clouds[1].evenness;
+    const study::Regularity& ours = c.clouds[0].regularity;
+    const study::Regularity& random = c.clouds[1].regularity;
     EXPECT_EQ(ours.particles, c.particles);
     EXPECT_EQ(random.particles, c.particles);
     EXPECT_GT(random.neighbors_variation, 1.3 * ours.neighbors_variation);
     EXPECT_GT(random.worst_condition, 2.0 * ours.worst_condition);
     EXPECT_LT(random.closest_pair, 0.8 * ours.closest_pair);
-    EXPECT_GT(c.clouds[2].evenness.closest_pair, random.closest_pair);
+    EXPECT_GT(c.clouds[2].regularity.closest_pair, random.closest_pair);
 }
 
 TEST(PreparationComparison, OffTheSphereEq24IsNoLayerOfOneThickness)
@@ -134,7 +134,7 @@ TEST(PreparationComparison, HasFieldsOfEveryParticle)
 TEST(PreparationComparison, JsonAndTextHoldTheFigures)
 {
     study::PreparationComparison comparison = compared().comparison;
-    comparison.clouds[1].evenness.worst_condition = std::numeric_limits<double>::infinity();
+    comparison.clouds[1].regularity.worst_condition = std::numeric_limits<double>::infinity();
     const auto j = nlohmann::json::parse(study::comparison_json(comparison));
     EXPECT_EQ(j["particles"], comparison.particles);
     EXPECT_EQ(j["normals"].size(), 4u);

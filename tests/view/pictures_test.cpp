@@ -83,10 +83,11 @@ TEST_F(Pictures, SurfaceShowsShadedColours)
 {
     const std::vector<double> values{0, 1, 2, std::nan("")};
     const std::vector<double> others{2, 1, 0, 1};
-    const view::ColorScale scale{"value [-]", 0, 2, "viridis"};
-    const std::array pictures{view::SurfacePicture{folder / "a.png", values, scale},
-                              view::SurfacePicture{folder / "other.png", others, {"other [-]", 0, 3, "coolwarm"}},
-                              view::SurfacePicture{folder / "b.png", values, scale}};
+    const view::ColorScale scale{"value [-]", 0, 2, view::ColorMap::viridis};
+    const std::array pictures{
+        view::SurfacePicture{folder / "a.png", values, scale},
+        view::SurfacePicture{folder / "other.png", others, {"other [-]", 0, 3, view::ColorMap::coolwarm}},
+        view::SurfacePicture{folder / "b.png", values, scale}};
     view::render_surface(mesh.vertices, mesh.triangles, pictures, "title");
     view::render_surface(mesh.vertices, mesh.triangles, {&pictures[0], 1}, "title");
     const Picture picture = read_picture(folder / "a.png");
@@ -116,8 +117,8 @@ TEST_F(Pictures, CutShowsTheNearestParticles)
                                .triangles = mesh.triangles,
                                .axis = 2,
                                .coordinate = -0.5};
-    view::render_cut(folder / "a.png", input, {"stress [kPa]", 0, 1, "viridis"}, "cut");
-    view::render_cut(folder / "b.png", input, {"stress [kPa]", 0, 1, "viridis"}, "cut");
+    view::render_cut(folder / "a.png", input, {"stress [kPa]", 0, 1, view::ColorMap::viridis}, "cut");
+    view::render_cut(folder / "b.png", input, {"stress [kPa]", 0, 1, view::ColorMap::viridis}, "cut");
     EXPECT_EQ(bytes_of(folder / "a.png"), bytes_of(folder / "b.png"));
     const Picture picture = read_picture(folder / "a.png");
     EXPECT_EQ(picture.width, 1600);
@@ -135,7 +136,7 @@ TEST_F(Pictures, CutBesideTheBodyIsEmptyButDrawn)
     input.triangles = mesh.triangles;
     input.axis = 0;
     input.coordinate = 50.0;
-    view::render_cut(folder / "a.png", input, {"stress [kPa]", 0, 1, "viridis"}, "beside");
+    view::render_cut(folder / "a.png", input, {"stress [kPa]", 0, 1, view::ColorMap::viridis}, "beside");
     EXPECT_GT(read_picture(folder / "a.png").colors.size(), 10u);
 }
 
@@ -149,8 +150,8 @@ TEST_F(Pictures, PairOfSurfacesHasOneScaleOfLength)
     const std::vector<double> values{0, 1, 2, 1};
     const std::array<view::SurfaceInput, 2> surfaces{view::SurfaceInput{"one", mesh.vertices, mesh.triangles, values},
                                                      view::SurfaceInput{"quarter", small, mesh.triangles, values}};
-    view::render_surface_pair(folder / "a.png", surfaces, {"value [-]", 0, 2, "viridis"}, "title");
-    view::render_surface_pair(folder / "b.png", surfaces, {"value [-]", 0, 2, "viridis"}, "title");
+    view::render_surface_pair(folder / "a.png", surfaces, {"value [-]", 0, 2, view::ColorMap::viridis}, "title");
+    view::render_surface_pair(folder / "b.png", surfaces, {"value [-]", 0, 2, view::ColorMap::viridis}, "title");
     EXPECT_EQ(bytes_of(folder / "a.png"), bytes_of(folder / "b.png"));
     const Picture picture = read_picture(folder / "a.png");
     EXPECT_EQ(picture.width, 1600);
@@ -193,7 +194,8 @@ TEST_F(Pictures, PairOfCutsHasOneColorScale)
                          .coordinate = -0.5};
     view::CutInput other = input;
     other.scalar = high;
-    view::render_cut_pair(folder / "a.png", {input, other}, {"left", "right"}, {"J", 0, 1, "viridis"}, "cuts");
+    view::render_cut_pair(folder / "a.png", {input, other}, {"left", "right"}, {"J", 0, 1, view::ColorMap::viridis},
+                          "cuts");
     const Picture picture = read_picture(folder / "a.png");
     const auto count = [&](const Pixel& color, int left)
     {
@@ -256,7 +258,7 @@ TEST_F(Pictures, GridDrawsEachTileInItsPlace)
         points.front() *= i == 2 ? 50.0 : 1.0; // one has left the body
         return {"ball", std::move(points), ball.triangles, std::vector<double>(ball.vertices.size(), 1.0)};
     };
-    view::render_surface_grid(folder / "grid.png", 3, 2, tile, {"J", 0.0, 1.0, "viridis"}, "three");
+    view::render_surface_grid(folder / "grid.png", 3, 2, tile, {"J", 0.0, 1.0, view::ColorMap::viridis}, "three");
     const Picture picture = read_picture(folder / "grid.png");
     EXPECT_EQ(picture.width, 950);
     EXPECT_EQ(picture.height, 914);

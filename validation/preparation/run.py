@@ -41,7 +41,7 @@ HEADINGS = {
                  ("below it", "below_ratio", ".3f"), ("deep", "deep_ratio", ".3f")]),
     "depths": ("Distance to the surface", [("mean error mm", "mean_mm", ".4f"), ("largest error mm", "largest_mm", ".4f")]),
     "layers": ("The cortex", [("share of the volume", "cortex_share", ".4f"), ("misassigned share", "misassigned_share", ".4f")]),
-    "clouds": ("Evenness of the cloud, distances in spacings",
+    "clouds": ("Regularity of the cloud, distances in spacings",
                [("closest pair", "closest_pair", ".3f"), ("nearest, mean", "nearest_mean", ".3f"),
                 ("nearest, variation", "nearest_variation", ".3f"), ("density, variation", "neighbors_variation", ".3f"),
                 ("fewest neighbours", "fewest_neighbors", ".0f"), ("worst condition", "worst_condition", ".1f")])}

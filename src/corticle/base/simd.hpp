@@ -71,8 +71,9 @@ struct RealTraits<WideIntegers>
     }
 };
 
-/// Tells the processor that memory at an address will be read soon, which saves the wait where its own guess does not
-/// reach: at places that a table names, and at the start of every short stretch of a long array. Any address will do.
+/// Prefetches memory at an address that will be read soon, which saves the wait where the processor's own guess does
+/// not reach: at places that a table names, and at the start of every short stretch of a long array. Any address will
+/// do.
 CORTICLE_INLINE void read_soon(const void* address)
 {
     __builtin_prefetch(address);

@@ -6,6 +6,7 @@
 #include "corticle/cloud/depth_profile.hpp"
 #include "corticle/cloud/interior.hpp"
 #include "corticle/cloud/ordered_cloud.hpp"
+#include "corticle/mesh/sizes.hpp"
 
 #include <fmt/format.h>
 
@@ -17,21 +18,17 @@ namespace corticle::cloud
 
 double spacing_for_particles(double volume, std::int64_t count)
 {
-    if (!(volume > 0.0) || count < 1)
-    {
-        throw InputError(fmt::format("{} particles in {} mm³; expected positive numbers", count, volume));
-    }
+    require_positive("volume to fill [mm³]", volume);
+    require_positive("particles", static_cast<double>(count));
     return std::cbrt(volume / static_cast<double>(count));
 }
 
 Cloud fill_surface(const TriangleMesh& surface, const CloudOptions& options)
 {
+    require_triangles(surface);
+    require_positive("spacing of the particles [mm]", options.spacing);
     const double volume = enclosed_volume(surface.vertices, surface.triangles);
-    if (!(options.spacing > 0.0) || !(volume > 0.0))
-    {
-        throw InputError(
-            fmt::format("spacing {} mm in a surface of {} mm³; expected positive numbers", options.spacing, volume));
-    }
+    require_positive("volume of the surface to fill [mm³]", volume);
     const geometry::SurfaceTree tree(surface.vertices, surface.triangles);
     const double wanted = options.grading.is_uniform() ? volume / std::pow(options.spacing, 3.0)
                                                        : DepthProfile(tree).count(options.spacing, options.grading);

@@ -9,6 +9,7 @@
 #include "corticle/cloud/quality.hpp"
 #include "corticle/cloud/thinning.hpp"
 #include "corticle/geometry/surface_tree.hpp"
+#include "corticle/mesh/sizes.hpp"
 
 #include <fmt/format.h>
 
@@ -139,7 +140,7 @@ TetCloud thinned(const TetMesh& mesh, std::int64_t wanted, const TetCloudOptions
     return result;
 }
 
-void warn_of_unevenness(TetCloud& result)
+void warn_of_irregularity(TetCloud& result)
 {
     constexpr double closest = 0.5; // spacings, below which pairs distort the gradient
     constexpr double largest = 3.0; // mean volumes, above which neighbours are few
@@ -164,6 +165,8 @@ void warn_of_unevenness(TetCloud& result)
 
 TetCloud cloud_from_tets(const TetMesh& mesh, const TetCloudOptions& options)
 {
+    require_tets(mesh);
+    require_finite("nodes of the tet mesh", mesh.vertices);
     const std::int64_t nodes = std::ssize(mesh.vertices);
     const std::int64_t wanted = options.particles.value_or(nodes);
     if (wanted < 1 || wanted > nodes)
@@ -172,7 +175,7 @@ TetCloud cloud_from_tets(const TetMesh& mesh, const TetCloudOptions& options)
             fmt::format("tet mesh: {} particles; expected 1 to {}, the number of its nodes", wanted, nodes));
     }
     TetCloud result = wanted == nodes ? every_node(mesh) : thinned(mesh, wanted, options);
-    warn_of_unevenness(result);
+    warn_of_irregularity(result);
     return result;
 }
 

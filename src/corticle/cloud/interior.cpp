@@ -5,6 +5,7 @@
 #include "corticle/base/parallel.hpp"
 #include "corticle/base/random.hpp"
 #include "corticle/geometry/repulsion.hpp"
+#include "corticle/mesh/sizes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -144,6 +145,8 @@ Vec3 keep_inside(const geometry::SurfaceTree& tree, const Vec3& old_place, const
 
 std::vector<Vec3> scatter_inside(const geometry::SurfaceTree& tree, std::int64_t count, const CloudOptions& options)
 {
+    require_positive("spacing of the particles [mm]", options.spacing);
+    require_triangles(tree.mesh());
     if (count <= 0)
     {
         return {};
@@ -201,6 +204,7 @@ std::vector<double> local_spacings(const geometry::SurfaceTree& tree, const Clou
 void relax_inside(const geometry::SurfaceTree& tree, const CloudOptions& options, std::vector<Vec3>& points)
 {
     const double spacing = options.spacing;
+    require_positive("spacing of the particles [mm]", spacing);
     const auto first = static_cast<std::int64_t>(tree.mesh().vertices.size());
     std::vector<Vec3> moves;
     // A lower bound of the distance to the surface: only those that may be near it ask for it again.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/cloud/line_lattice.hpp"
 
+#include "corticle/mesh/sizes.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -58,6 +60,9 @@ void LineLattice::visit_crossings(const TriangleMesh& surface, const Triangle& t
 
 LineLattice::LineLattice(const TriangleMesh& surface, double step) : step_(step)
 {
+    require_triangles(surface);
+    require_finite("vertices of the surface", surface.vertices);
+    require_positive("distance between lines [mm]", step);
     Vec3 low = surface.vertices[0];
     Vec3 high = surface.vertices[0];
     for (const Vec3& p : surface.vertices)

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/cloud/neighbors.hpp"
 
-#include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
 #include "corticle/cloud/visibility.hpp"
 #include "corticle/mesh/cell_grid.hpp"
 #include "corticle/mesh/sizes.hpp"
 
 #include <algorithm>
-#include <string>
 
 namespace corticle::cloud
 {
@@ -56,16 +54,14 @@ std::int64_t entry_of(const Neighbors& pairs, std::int64_t i, std::int32_t j)
 
 Neighbors find_pairs_within(std::span<const Vec3> positions, double support)
 {
-    if (!(support > 0.0))
-    {
-        throw InputError("neighbours: support " + std::to_string(support) + " mm; expected a positive length");
-    }
+    require_positive("support of the neighbours [mm]", support);
     return find_pairs_within(positions, std::vector<double>(positions.size(), support));
 }
 
 Neighbors find_pairs_within(std::span<const Vec3> positions, std::span<const double> supports)
 {
     require_size("supports", supports.size(), positions.size());
+    require_finite("positions", positions);
     Neighbors pairs;
     pairs.begin.assign(positions.size() + 1, 0);
     if (positions.empty())

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/cloud/ordered_cloud.hpp"
 
+#include "corticle/mesh/sizes.hpp"
 #include "corticle/mesh/space_filling_curve.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace corticle::cloud
@@ -11,6 +13,10 @@ namespace corticle::cloud
 Cloud ordered_cloud(std::span<const Vec3> points, const Cells& cells, const TriangleMesh& surface,
                     std::vector<std::int32_t>* particle_of)
 {
+    require_size("volumes of the points", cells.volumes.size(), points.size());
+    require_size("centroids of the cells", cells.centroids.size(), points.size());
+    require_finite("points", points);
+    require_triangles(points.first(std::min(points.size(), surface.vertices.size())), surface.triangles);
     Cloud cloud;
     const std::vector<std::int32_t> order = hilbert_order(points);
     cloud.surface_particles.resize(surface.vertices.size());

@@ -3,6 +3,7 @@
 
 #include "corticle/base/parallel.hpp"
 #include "corticle/mesh/cell_grid.hpp"
+#include "corticle/mesh/sizes.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -42,6 +43,8 @@ CloudQuality measure_quality(const Cloud& cloud)
     {
         return quality;
     }
+    require_size("volumes of the cloud", cloud.volumes.size(), cloud.positions.size());
+    require_positive("spacing of the cloud [mm]", cloud.spacing);
     const CellGrid grid(cloud.positions, 1.5 * cloud.spacing);
     quality.closest_pair_spacings = std::sqrt(closest_pair_squared(cloud.positions, grid)) / cloud.spacing;
     quality.smallest_volume = *std::min_element(cloud.volumes.begin(), cloud.volumes.end());

@@ -6,6 +6,7 @@
 #include "corticle/base/random.hpp"
 #include "corticle/mesh/cell_grid.hpp"
 #include "corticle/mesh/point_tree.hpp"
+#include "corticle/mesh/sizes.hpp"
 #include "corticle/mesh/space_filling_curve.hpp"
 
 #include <fmt/format.h>
@@ -206,6 +207,7 @@ std::int64_t candidate_count(std::span<const double> volumes, std::int64_t count
 
 std::vector<std::int32_t> thin_random(std::span<const Vec3> points, std::int64_t count, std::uint64_t seed)
 {
+    require_finite("points", points);
     return thin_random_by_volume(points, local_volumes(points), count, seed);
 }
 
@@ -213,6 +215,8 @@ std::vector<std::int32_t> thin_random_by_volume(std::span<const Vec3> points, st
                                                 std::int64_t count, std::uint64_t seed)
 {
     require_count(points, count);
+    require_size("volumes of the points", volumes.size(), points.size());
+    require_finite("points", points);
     const std::vector<double> probability = inclusion_probabilities(volumes, count);
     // Systematic sampling: a point is taken where the running sum of probabilities passes u, u + 1, u + 2, ...
     double sum = 0.0;
@@ -236,6 +240,7 @@ std::vector<std::int32_t> thin_random_by_volume(std::span<const Vec3> points, st
 
 std::vector<std::int32_t> thin_uniform(std::span<const Vec3> points, std::int64_t count, std::uint64_t seed)
 {
+    require_finite("points", points);
     return thin_uniform_beside({}, points, local_volumes(points), count, seed);
 }
 
@@ -243,6 +248,8 @@ std::vector<std::int32_t> thin_uniform_beside(std::span<const Vec3> fixed, std::
                                               std::span<const double> volumes, std::int64_t count, std::uint64_t seed)
 {
     require_count(points, count);
+    require_size("volumes of the points", volumes.size(), points.size());
+    require_finite("fixed points", fixed);
     const std::vector<std::int32_t> candidates =
         thin_random_by_volume(points, volumes, candidate_count(volumes, count), seed);
     std::vector<Vec3> positions;

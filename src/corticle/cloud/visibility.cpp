@@ -2,6 +2,7 @@
 #include "corticle/cloud/visibility.hpp"
 
 #include "corticle/base/parallel.hpp"
+#include "corticle/mesh/sizes.hpp"
 
 namespace corticle::cloud
 {
@@ -51,6 +52,8 @@ Viewpoint viewpoint(const geometry::SurfaceTree& surface, const Vec3& position, 
 Visibility::Visibility(const Cloud& cloud, const geometry::SurfaceTree& surface, double support)
     : surface_(surface), viewpoints_(cloud.positions.size()), depths_(cloud.positions.size())
 {
+    require_positive("support of the neighbours [mm]", support);
+    require_positive("spacing of the cloud [mm]", cloud.spacing);
     parallel_for(static_cast<std::int64_t>(cloud.positions.size()),
                  [&](std::int64_t i)
                  {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
-
 #include "corticle/config/options.hpp"
 
+#include <array>
 #include <functional>
 #include <span>
 #include <string_view>
@@ -12,7 +11,7 @@
 namespace corticle::config
 {
 
-/// Checks what no single parameter can tell. `place(key)` says where a key was given: " (case.toml:4)", or "".
+/// Checks that concern several parameters. `place(key)` says where a key was given: " (case.toml:4)", or "".
 /// @throws InputError
 void check_case(const Options& options, const std::function<std::string(std::string_view)>& place);
 

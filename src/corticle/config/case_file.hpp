@@ -23,7 +23,7 @@ Options parse_case(std::string_view text, const std::string& name, std::span<con
 std::string to_toml(const Options& options);
 
 /// Keys that differ between two resolved cases, apart from those that may change on resuming (output.*, time.end):
-/// "section.key: a -> b". Files are compared by content where both cases tell their checksums, else by name.
+/// "section.key: a -> b". Files are compared by content where both cases give checksums, else by name.
 std::vector<std::string> differing_keys(std::string_view resolved_a, std::string_view resolved_b);
 
 /// The same for the keys that an arranged body depends on: those of [geometry] and [map].

@@ -68,10 +68,9 @@ void identify_inputs(Options& options, KnownChecksums& known)
         const std::string expected = checksum_of(options, parameter.key);
         if (!now.empty() && !expected.empty() && now != expected)
         {
-            throw InputError(
-                fmt::format("{}: {} is not the file that [inputs] of the case tells of: got SHA-256 {}..., "
-                            "expected {}... (without its line in [inputs] any content will do)",
-                            parameter.key, file, shortened(now), shortened(expected)));
+            throw InputError(fmt::format("{}: {} is not the file that [inputs] of the case names: got SHA-256 {}..., "
+                                         "expected {}... (without its line in [inputs] any content will do)",
+                                         parameter.key, file, shortened(now), shortened(expected)));
         }
         options.inputs.erase(parameter.key);
         if (!now.empty())

@@ -19,7 +19,7 @@ using KnownChecksums = std::map<std::filesystem::path, std::string>;
 
 /// Sets Options::inputs to the checksums of the files that the case names. A file that cannot be read is left out: what
 /// reads it says why.
-/// @throws InputError where a file is not the one that Options::inputs, from an [inputs] table of the case, tells of
+/// @throws InputError where a file is not the one that Options::inputs, from an [inputs] table of the case, names
 void identify_inputs(Options& options, KnownChecksums& known);
 void identify_inputs(Options& options);
 

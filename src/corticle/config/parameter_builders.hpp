@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "corticle/config/choices.hpp"
 #include "corticle/config/parameters.hpp"
-#include "corticle/material/thickness_presets.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -12,130 +12,6 @@
 
 namespace corticle::config::detail
 {
-
-/// Names of enumerators, in their order.
-template <class Enum>
-std::vector<std::string> names();
-template <>
-inline std::vector<std::string> names<model::Method>()
-{
-    return {"tlsph", "fem"};
-}
-template <>
-inline std::vector<std::string> names<material::Layer>()
-{
-    return {"smooth", "binary"};
-}
-template <>
-inline std::vector<std::string> names<material::ThicknessPreset>()
-{
-    std::vector<std::string> all{"none"};
-    for (const material::PresetThickness& row : material::thickness_presets())
-    {
-        all.emplace_back(row.name);
-    }
-    return all;
-}
-template <>
-inline std::vector<std::string> names<material::BulkRule>()
-{
-    return {"per_tissue", "uniform"};
-}
-template <>
-inline std::vector<std::string> names<material::GrowthLaw>()
-{
-    return {"linear", "gompertz"};
-}
-template <>
-inline std::vector<std::string> names<material::NormalFrame>()
-{
-    return {"reference", "current"};
-}
-template <>
-inline std::vector<std::string> names<material::GestationalClock>()
-{
-    return {"none", "wang", "cubic"};
-}
-template <>
-inline std::vector<std::string> names<material::LengthLaw>()
-{
-    return {"none", "hyperbolic", "quadratic"};
-}
-template <>
-inline std::vector<std::string> names<material::SizedState>()
-{
-    return {"reference", "body"};
-}
-template <>
-inline std::vector<std::string> names<thesis::Formulation>()
-{
-    return {"corrected", "thesis"};
-}
-template <>
-inline std::vector<std::string> names<thesis::GrowthEntry>()
-{
-    return {"multiplied", "divided"};
-}
-template <>
-inline std::vector<std::string> names<thesis::ForceForm>()
-{
-    return {"difference", "conservative"};
-}
-template <>
-inline std::vector<std::string> names<thesis::KernelGradient>()
-{
-    return {"plain", "displacement", "corrected"};
-}
-template <>
-inline std::vector<std::string> names<dynamics::Integrator>()
-{
-    return {"symplectic_euler", "rk4"};
-}
-template <>
-inline std::vector<std::string> names<formats::Coordinates>()
-{
-    return {"scanner", "file"};
-}
-template <>
-inline std::vector<std::string> names<prepare::Shape>()
-{
-    return {prepare::shape_names.begin(), prepare::shape_names.end()};
-}
-template <>
-inline std::vector<std::string> names<prepare::Arrangement>()
-{
-    return {prepare::arrangement_names.begin(), prepare::arrangement_names.end()};
-}
-template <>
-inline std::vector<std::string> names<prepare::VolumeRule>()
-{
-    return {"cells", "neighbour_count"};
-}
-template <>
-inline std::vector<std::string> names<prepare::NormalRule>()
-{
-    return {"surface", "divisions"};
-}
-template <>
-inline std::vector<std::string> names<formats::UnitOfLength>()
-{
-    return {"mm", "cm", "m"};
-}
-template <>
-inline std::vector<std::string> names<imaging::Hemisphere>()
-{
-    return {imaging::hemisphere_names.begin(), imaging::hemisphere_names.end()};
-}
-template <>
-inline std::vector<std::string> names<PictureRule>()
-{
-    return {"on", "off"};
-}
-template <>
-inline std::vector<std::string> names<geometry::Repair>()
-{
-    return {"auto", "wrap", "none"};
-}
 
 /// How a member of Options is read and written as a Value.
 template <class T>

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
-
 #include "corticle/base/error.hpp"
 #include "corticle/config/options.hpp"
 #include "corticle/config/value.hpp"
 
+#include <array>
 #include <functional>
 #include <limits>
 #include <span>

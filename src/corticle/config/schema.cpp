@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <array>
-
 #include "corticle/config/case_file.hpp"
 #include "corticle/config/case_inputs.hpp"
 #include "corticle/config/parameters.hpp"
 #include "corticle/config/starter.hpp"
 
 #include <fmt/format.h>
-
 #include <fmt/ranges.h>
-#include <utility>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace corticle::config
 {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <array>
-
 #include "corticle/config/week_keys.hpp"
 
 #include "corticle/base/error.hpp"
@@ -8,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace corticle::config
 {

@@ -8,8 +8,8 @@
 namespace corticle::formats
 {
 
-/// Takes bytes off memory that may be gzip-compressed (told by its first two bytes, not by a name), decompressing no
-/// more than is asked for.
+/// Takes bytes off memory that may be gzip-compressed (recognised by its first two bytes, not by a name), decompressing
+/// no more than is asked for.
 class InflatingStream
 {
   public:

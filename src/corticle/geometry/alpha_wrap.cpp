@@ -5,6 +5,7 @@
 #include "corticle/geometry/cgal_triangles.hpp"
 #include "corticle/geometry/self_intersections.hpp"
 #include "corticle/geometry/surface_tree.hpp"
+#include "corticle/mesh/sizes.hpp"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
@@ -76,6 +77,9 @@ constexpr double least_area_per_square = 1e-8; ///< of a triangle, over the squa
 
 TriangleMesh alpha_wrap(const TriangleMesh& surface, double alpha, double offset)
 {
+    require_vertices(surface);
+    require_positive("alpha of the wrap [mm]", alpha);
+    require_positive("offset of the wrap [mm]", offset);
     using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
     using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
     std::vector<Kernel::Point_3> points;

@@ -5,6 +5,7 @@
 #include "corticle/geometry/shells.hpp"
 #include "corticle/geometry/surface_faults.hpp"
 #include "corticle/geometry/surface_tree.hpp"
+#include "corticle/mesh/sizes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -113,6 +114,7 @@ void group(SurfaceBodies& found)
 
 SurfaceBodies find_bodies(const TriangleMesh& surface)
 {
+    require_vertices(surface);
     const double least_area = small_area * surface_area(surface.vertices, surface.triangles);
     std::vector<TriangleMesh> closed;
     for (const TriangleMesh& piece : separate_shells(surface))

@@ -6,8 +6,26 @@
 namespace corticle::geometry
 {
 
-/// The vertices and triangles of a CGAL::Surface_mesh, in their order, once its garbage is collected. A template, so
-/// that no header of CGAL is needed here.
+// Templates, so that no header of CGAL is needed here.
+
+/// A CGAL::Surface_mesh of the same vertices and triangles, in their order.
+template <class Mesh>
+Mesh cgal_mesh(const TriangleMesh& surface)
+{
+    Mesh mesh;
+    for (const Vec3& p : surface.vertices)
+    {
+        mesh.add_vertex({p.x, p.y, p.z});
+    }
+    using Vertex = typename Mesh::Vertex_index;
+    for (const Triangle& t : surface.triangles)
+    {
+        mesh.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2]));
+    }
+    return mesh;
+}
+
+/// The vertices and triangles of a CGAL::Surface_mesh, in their order, once its garbage is collected.
 template <class Mesh>
 TriangleMesh triangles_of(Mesh& mesh)
 {

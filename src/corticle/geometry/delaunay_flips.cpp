@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/geometry/delaunay_flips.hpp"
 
+#include "corticle/mesh/sizes.hpp"
+
 #include <cmath>
 #include <numbers>
 #include <unordered_map>
@@ -111,6 +113,11 @@ class FlipMesh
 
 void flip_to_delaunay(TriangleMesh& mesh, std::span<const char> stays)
 {
+    require_vertices(mesh);
+    if (!stays.empty())
+    {
+        require_size("marks of the vertices that stay", stays.size(), mesh.vertices.size());
+    }
     FlipMesh flips(mesh, stays);
     constexpr int most_sweeps = 100; // a few are enough; Lawson's flips end, but not provably so off the plane
     bool flipped = true;

@@ -4,6 +4,7 @@
 #include "corticle/base/parallel.hpp"
 #include "corticle/geometry/delaunay_flips.hpp"
 #include "corticle/geometry/self_intersections.hpp"
+#include "corticle/mesh/sizes.hpp"
 
 namespace corticle::geometry
 {
@@ -131,6 +132,8 @@ void mark_crossings(const TriangleMesh& mesh, std::span<const std::pair<std::int
 
 void even_out(TriangleMesh& mesh, const SurfaceTree& surface, double edge_length)
 {
+    require_vertices(mesh);
+    require_positive("edge length [mm]", edge_length);
     // Where the result folds (at the bottom of a fissure) the mesh is left as it was, and the rest done again.
     constexpr int most_tries = 3;
     std::vector<char> stays(mesh.vertices.size(), 0);

@@ -2,6 +2,7 @@
 #include "corticle/geometry/hull.hpp"
 
 #include "corticle/base/error.hpp"
+#include "corticle/mesh/sizes.hpp"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
@@ -73,14 +74,11 @@ void sort_elements(TriangleMesh& mesh)
 
 TriangleMesh convex_hull(std::span<const Vec3> points)
 {
+    require_finite("convex hull: points", points);
     std::vector<Point> input;
     input.reserve(points.size());
     for (const Vec3& p : points)
     {
-        if (!is_finite(p))
-        {
-            throw InputError("convex hull: point " + std::to_string(input.size()) + " is not finite");
-        }
         input.emplace_back(p.x, p.y, p.z);
     }
     if (input.size() < 4 || all_in_one_plane(input))

@@ -4,6 +4,7 @@
 #include "corticle/base/error.hpp"
 #include "corticle/geometry/cgal_triangles.hpp"
 #include "corticle/geometry/surface_faults.hpp"
+#include "corticle/mesh/sizes.hpp"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/border.h>
@@ -66,6 +67,7 @@ void fill_hole(Mesh& mesh, Mesh::Halfedge_index rim)
 
 TriangleMesh orient_and_fill_holes(const TriangleMesh& surface, std::int64_t& filled)
 {
+    require_vertices(surface);
     std::vector<Point> points = points_of(surface);
     std::vector<std::vector<std::size_t>> polygons;
     polygons.reserve(surface.triangles.size());
@@ -91,15 +93,8 @@ TriangleMesh orient_and_fill_holes(const TriangleMesh& surface, std::int64_t& fi
 
 bool remove_self_intersections(TriangleMesh& surface)
 {
-    Mesh mesh;
-    for (const Point& p : points_of(surface))
-    {
-        mesh.add_vertex(p);
-    }
-    for (const Triangle& t : surface.triangles)
-    {
-        mesh.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2]));
-    }
+    require_vertices(surface);
+    auto mesh = cgal_mesh<Mesh>(surface);
     if (!pmp::experimental::remove_self_intersections(mesh, pmp::parameters::preserve_genus(true)))
     {
         return false;

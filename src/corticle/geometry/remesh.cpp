@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/geometry/remesh.hpp"
 
-#include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
 #include "corticle/geometry/cgal_triangles.hpp"
 #include "corticle/geometry/even_out.hpp"
 #include "corticle/geometry/surface_tree.hpp"
 #include "corticle/geometry/validate.hpp"
+#include "corticle/mesh/sizes.hpp"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
@@ -26,20 +26,6 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 constexpr unsigned iterations = 6;
 constexpr unsigned relaxation_steps = 3;
-
-Mesh to_cgal(const TriangleMesh& surface)
-{
-    Mesh mesh;
-    for (const Vec3& p : surface.vertices)
-    {
-        mesh.add_vertex({p.x, p.y, p.z});
-    }
-    for (const Triangle& t : surface.triangles)
-    {
-        mesh.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2]));
-    }
-    return mesh;
-}
 
 /// Largest distance of vertices and centroids to a surface [mm].
 double largest_distance(const TriangleMesh& mesh, const SurfaceTree& surface)
@@ -67,12 +53,10 @@ double largest_distance(const TriangleMesh& mesh, const SurfaceTree& surface)
 
 TriangleMesh remesh_isotropic(const TriangleMesh& surface, double edge_length, RemeshReport* report)
 {
-    if (!(edge_length > 0.0) || !std::isfinite(edge_length))
-    {
-        throw InputError("remeshing: edge length " + std::to_string(edge_length) + " mm; expected a positive number");
-    }
+    require_triangles(surface);
+    require_positive("remeshing: edge length [mm]", edge_length);
     namespace pmp = CGAL::Polygon_mesh_processing;
-    Mesh mesh = to_cgal(surface);
+    Mesh mesh = cgal_mesh<Mesh>(surface);
     pmp::isotropic_remeshing(mesh.faces(), edge_length, mesh,
                              pmp::parameters::number_of_iterations(iterations)
                                  .number_of_relaxation_steps(relaxation_steps)

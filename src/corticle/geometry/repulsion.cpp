@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/geometry/repulsion.hpp"
 
+#include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
 #include "corticle/mesh/cell_grid.hpp"
 #include "corticle/mesh/sizes.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -64,6 +67,10 @@ void repulsion_moves(std::span<const Vec3> points, std::int64_t first, std::span
                      double longest, std::vector<Vec3>& moves)
 {
     require_size("ranges", ranges.size(), points.size());
+    if (first < 0 || first > std::ssize(points))
+    {
+        throw InputError(fmt::format("first point to move: got {}, expected 0 to {}", first, points.size()));
+    }
     if (points.empty())
     {
         moves.clear();

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/geometry/self_intersections.hpp"
 
+#include "corticle/geometry/cgal_triangles.hpp"
+#include "corticle/mesh/sizes.hpp"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
@@ -12,17 +15,10 @@ namespace corticle::geometry
 
 std::vector<std::pair<std::int32_t, std::int32_t>> self_intersections(const TriangleMesh& surface)
 {
+    require_vertices(surface);
     using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
     using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-    Mesh mesh;
-    for (const Vec3& p : surface.vertices)
-    {
-        mesh.add_vertex({p.x, p.y, p.z});
-    }
-    for (const Triangle& t : surface.triangles)
-    {
-        mesh.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2]));
-    }
+    const auto mesh = cgal_mesh<Mesh>(surface);
     std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> found;
     CGAL::Polygon_mesh_processing::self_intersections(mesh, std::back_inserter(found));
     std::vector<std::pair<std::int32_t, std::int32_t>> pairs;

@@ -7,6 +7,7 @@
 #include "corticle/geometry/delaunay_flips.hpp"
 #include "corticle/geometry/hull.hpp"
 #include "corticle/geometry/repulsion.hpp"
+#include "corticle/mesh/sizes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -115,11 +116,11 @@ void relax_on_ellipsoid(std::vector<Vec3>& points, const Axes& a, double edge_le
 
 TriangleMesh make_ellipsoid(const std::array<double, 3>& semi_axes, double edge_length)
 {
-    const bool positive = semi_axes[0] > 0.0 && semi_axes[1] > 0.0 && semi_axes[2] > 0.0 && edge_length > 0.0;
-    if (!positive || !std::isfinite(semi_axes[0] + semi_axes[1] + semi_axes[2] + edge_length))
+    for (const double semi_axis : semi_axes)
     {
-        throw InputError("ellipsoid: semi-axes and edge length must be positive and finite");
+        require_positive("ellipsoid: semi-axis [mm]", semi_axis);
     }
+    require_positive("ellipsoid: edge length [mm]", edge_length);
     std::vector<Vec3> points = scattered_points(semi_axes, edge_length);
     relax_on_ellipsoid(points, semi_axes, edge_length);
     for (Vec3& p : points)

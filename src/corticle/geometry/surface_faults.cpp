@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/geometry/surface_faults.hpp"
 
+#include "corticle/mesh/sizes.hpp"
+
 #include <algorithm>
 #include <map>
 #include <numbers>
@@ -116,6 +118,7 @@ std::vector<char> pinched_vertices(const TriangleMesh& surface)
 
 EdgeFaults find_edge_faults(const TriangleMesh& surface)
 {
+    require_vertices(surface);
     EdgeFaults faults;
     std::vector<Edge> boundary;
     for (const auto& [edge, use] : edge_uses(surface))
@@ -134,6 +137,7 @@ EdgeFaults find_edge_faults(const TriangleMesh& surface)
 
 std::vector<std::int32_t> shells_of(const TriangleMesh& surface)
 {
+    require_vertices(surface);
     Unions unions(surface.vertices.size());
     for (const Triangle& t : surface.triangles)
     {
@@ -152,6 +156,8 @@ std::vector<std::int32_t> shells_of(const TriangleMesh& surface)
 
 TriangleMesh kept_triangles(const TriangleMesh& surface, const std::vector<char>& keep)
 {
+    require_vertices(surface);
+    require_size("marks of the triangles to keep", keep.size(), surface.triangles.size());
     std::vector<char> used(surface.vertices.size(), 0);
     for (std::size_t t = 0; t < surface.triangles.size(); ++t)
     {
@@ -183,6 +189,7 @@ TriangleMesh kept_triangles(const TriangleMesh& surface, const std::vector<char>
 
 TriangleMesh merge_within(const TriangleMesh& surface, double distance)
 {
+    require_vertices(surface);
     std::vector<std::int32_t> order(surface.vertices.size());
     std::iota(order.begin(), order.end(), 0);
     std::ranges::stable_sort(order, {}, [&](std::int32_t v) { return surface.vertices[v].x; });
@@ -224,6 +231,7 @@ TriangleMesh drop_repeated_triangles(const TriangleMesh& surface)
 
 TriangleMesh open_pinched_holes(const TriangleMesh& surface)
 {
+    require_vertices(surface);
     TriangleMesh result = surface;
     constexpr int most_rounds = 10;
     for (int round = 0; round < most_rounds; ++round)

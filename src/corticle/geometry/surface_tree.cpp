@@ -3,6 +3,7 @@
 
 #include "corticle/base/box.hpp"
 #include "corticle/geometry/triangle_tests.hpp"
+#include "corticle/mesh/sizes.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -52,11 +53,17 @@ std::uint64_t edge_key(std::int32_t a, std::int32_t b)
     return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | static_cast<std::uint64_t>(std::max(a, b));
 }
 
+TriangleMesh checked_copy(std::span<const Vec3> vertices, std::span<const Triangle> triangles)
+{
+    require_vertices(vertices, triangles);
+    require_finite("vertices of the surface", vertices);
+    return {{vertices.begin(), vertices.end()}, {triangles.begin(), triangles.end()}};
+}
+
 } // namespace
 
 SurfaceTree::SurfaceTree(std::span<const Vec3> vertices, std::span<const Triangle> triangles)
-    : mesh_{{vertices.begin(), vertices.end()}, {triangles.begin(), triangles.end()}},
-      normals_(vertex_normals(vertices, triangles))
+    : mesh_(checked_copy(vertices, triangles)), normals_(vertex_normals(vertices, triangles))
 {
     compute_edge_normals();
     build();

@@ -4,6 +4,7 @@
 #include "corticle/base/child_process.hpp"
 #include "corticle/base/error.hpp"
 #include "corticle/geometry/tet_exchange.hpp"
+#include "corticle/mesh/sizes.hpp"
 
 #include <fmt/format.h>
 
@@ -90,6 +91,7 @@ std::string how_it_ended(const ProcessEnd& end)
 
 TetMesh tetrahedralize(const TriangleMesh& surface, std::int64_t nodes)
 {
+    require_triangles(surface);
     // A node on the surface has half a cell.
     const double half = 0.5 * static_cast<double>(surface.vertices.size());
     const double cells = std::max(static_cast<double>(nodes) - half, half);
@@ -119,6 +121,10 @@ TetMesh tetrahedralize(const TriangleMesh& surface, std::int64_t nodes)
 
 std::int64_t nodes_for_tets(std::int64_t tets, double volume, double area, double edge_per_spacing)
 {
+    require_positive("tets", static_cast<double>(tets));
+    require_positive("volume of the body [mm³]", volume);
+    require_positive("area of the body [mm²]", area);
+    require_positive("edges over spacings", edge_per_spacing);
     // tets = a V / s³ - b n_s, with n_s = 2 A / (sqrt(3) edge²) vertices of regular triangles on the surface; falls
     // with s, so bisection in the number of nodes V / s³ finds it.
     const double vertices_factor = 2.0 * area / (std::sqrt(3.0) * edge_per_spacing * edge_per_spacing);

@@ -3,6 +3,7 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/geometry/self_intersections.hpp"
+#include "corticle/mesh/sizes.hpp"
 
 #include <fmt/format.h>
 
@@ -232,7 +233,7 @@ void require_valid_surface(const TriangleMesh& surface, const std::string& sourc
 
 TriangleMesh merge_duplicates(const TriangleMesh& surface)
 {
-    const auto count = static_cast<std::int64_t>(surface.vertices.size());
+    require_vertices(surface);
     std::vector<std::int32_t> order(surface.vertices.size());
     std::iota(order.begin(), order.end(), 0);
     const auto less = [&](std::int32_t a, std::int32_t b)
@@ -256,11 +257,6 @@ TriangleMesh merge_duplicates(const TriangleMesh& surface)
     std::vector<std::int32_t> number(surface.vertices.size(), -1);
     for (const Triangle& t : surface.triangles)
     {
-        if (std::any_of(t.begin(), t.end(), [&](std::int32_t v) { return v < 0 || v >= count; }))
-        {
-            throw InputError(fmt::format("triangle {} refers to a vertex out of range; expected 0 to {}",
-                                         &t - surface.triangles.data(), count - 1));
-        }
         Triangle merged{same[t[0]], same[t[1]], same[t[2]]};
         if (merged[0] == merged[1] || merged[1] == merged[2] || merged[2] == merged[0])
         {

@@ -88,6 +88,7 @@ class LineTransform
 
 std::vector<float> squared_distance_to(const VoxelGrid& grid, const Mask& mask, std::uint8_t value)
 {
+    require_voxels(grid, "mask", mask.size());
     std::vector<float> distance(mask.size());
     std::transform(mask.begin(), mask.end(), distance.begin(),
                    [&](std::uint8_t voxel) { return voxel == value ? 0.0F : nowhere; });

@@ -136,6 +136,8 @@ class HandleRemoval
 
 BallMask remove_handles(const VoxelGrid& grid, const Mask& mask, std::span<const float> value, float level)
 {
+    require_voxels(grid, "mask", mask.size());
+    require_voxels(grid, "values", value.size());
     Attempt best = HandleRemoval(grid, mask, value, level).best();
     BallMask result;
     list_changes(grid, difference(mask, best.ball), false, result.changes);

@@ -78,6 +78,7 @@ void keep_largest_of_each_side(const VoxelGrid& grid, Mask& mask)
 void require_both_hemispheres(const GridMask& body, const Plane& plane, std::string_view hemisphere,
                               std::vector<std::string>& warnings)
 {
+    require_voxels(body.grid, "mask", body.mask.size());
     const Place place = place_of(body.grid, body.mask, plane);
     const auto lie_beside = [&](double x) { return (place.mean_x[0] - x) * (place.mean_x[1] - x) > 0.0; };
     if (!lie_beside(0.0))
@@ -96,7 +97,7 @@ void require_both_hemispheres(const GridMask& body, const Plane& plane, std::str
                         hemisphere, where));
     }
     warnings.push_back(
-        fmt::format("{}: the origin of the image is not between the hemispheres; they were told apart by "
+        fmt::format("{}: the origin of the image is not between the hemispheres; they were distinguished by "
                     "the direction of x",
                     where));
 }

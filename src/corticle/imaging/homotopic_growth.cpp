@@ -96,6 +96,9 @@ class Front
 
 Mask grow_ball(const VoxelGrid& grid, const Mask& mask, std::span<const float> value, std::span<const float> depth)
 {
+    require_voxels(grid, "mask", mask.size());
+    require_voxels(grid, "values", value.size());
+    require_voxels(grid, "depths", depth.size());
     const auto rank = [&](std::int64_t voxel) { return Candidate{value[voxel], depth[voxel], voxel}; };
     std::int64_t seed = -1;
     for (std::int64_t voxel = 0; voxel < grid.count(); ++voxel)
@@ -112,6 +115,9 @@ Mask grow_ball(const VoxelGrid& grid, const Mask& mask, std::span<const float> v
 
 Mask shrink_ball(const VoxelGrid& grid, const Mask& mask, std::span<const float> value, std::span<const float> distance)
 {
+    require_voxels(grid, "mask", mask.size());
+    require_voxels(grid, "values", value.size());
+    require_voxels(grid, "distances", distance.size());
     const auto rank = [&](std::int64_t voxel) { return Candidate{-value[voxel], distance[voxel], voxel}; };
     Mask ball(mask.size());
     Mask open(mask.size());

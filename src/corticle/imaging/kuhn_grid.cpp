@@ -116,6 +116,7 @@ bool is_simple(unsigned inside)
 
 std::int64_t euler_characteristic(const VoxelGrid& grid, const Mask& mask)
 {
+    require_voxels(grid, "mask", mask.size());
     static const std::array<std::int64_t, 128> table = euler_table();
     const auto offsets = kuhn_offsets(grid);
     return parallel_reduce(
@@ -142,6 +143,7 @@ std::int64_t euler_characteristic(const VoxelGrid& grid, const Mask& mask)
 
 Components kuhn_components(const VoxelGrid& grid, const Mask& mask, std::uint8_t value)
 {
+    require_voxels(grid, "mask", mask.size());
     const auto offsets = kuhn_offsets(grid);
     Components result{std::vector<std::int32_t>(mask.size(), 0), {0}};
     std::vector<std::int64_t> stack;

@@ -26,7 +26,7 @@ bool is_simple(unsigned inside);
 std::int64_t euler_characteristic(const VoxelGrid& grid, const Mask& mask);
 
 /// Numbers the components, from 1 in the order of their first voxels, of the voxels with mask == `value` (others get
-/// 0), and tells their sizes; sizes[0] is unused.
+/// 0), and counts them; sizes[0] is unused.
 struct Components
 {
     std::vector<std::int32_t> number;

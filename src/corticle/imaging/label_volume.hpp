@@ -37,7 +37,7 @@ struct LabelVolume
 inline bool is_whole_label(double value, double magnitude)
 {
     constexpr double least = 1e-3;
-    constexpr double most = 0.25; // beyond about 500,000 single precision does not tell whole numbers from others
+    constexpr double most = 0.25; // beyond about 500,000 single precision cannot distinguish whole numbers from others
     const double round_off = 4.0 * static_cast<double>(std::numeric_limits<float>::epsilon()) * std::abs(magnitude);
     return std::abs(value - std::nearbyint(value)) <= std::clamp(round_off, least, most);
 }

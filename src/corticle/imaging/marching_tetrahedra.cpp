@@ -179,6 +179,7 @@ class Extraction
 
 TriangleMesh marching_tetrahedra(const VoxelGrid& grid, std::span<const float> values, float level, double clearance)
 {
+    require_voxels(grid, "values", values.size());
     return Extraction(grid, values, level, clearance).run();
 }
 

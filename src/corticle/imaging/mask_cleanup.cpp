@@ -43,7 +43,7 @@ std::string present_labels(const LabelVolume& image)
     return list;
 }
 
-/// Tells, for every voxel of an image, whether its label is chosen.
+/// Whether the label of a voxel is chosen.
 class Choice
 {
   public:
@@ -169,11 +169,6 @@ std::int64_t flood(const VoxelGrid& grid, std::int64_t start, std::vector<std::i
 
 } // namespace
 
-std::int64_t voxel_count(const Mask& mask)
-{
-    return std::count(mask.begin(), mask.end(), std::uint8_t{1});
-}
-
 GridMask select_labels(const LabelVolume& image, std::span<const std::int64_t> labels, double margin_mm)
 {
     require_labels(image, labels);
@@ -223,6 +218,7 @@ GridMask select_labels(const LabelVolume& image, std::span<const std::int64_t> l
 
 ComponentSizes keep_largest_component(const VoxelGrid& grid, Mask& mask)
 {
+    require_voxels(grid, "mask", mask.size());
     std::vector<std::int64_t> stack;
     ComponentSizes sizes;
     std::int64_t start_of_largest = 0;
@@ -259,6 +255,8 @@ ComponentSizes keep_largest_component(const VoxelGrid& grid, Mask& mask)
 
 void keep_components_of(const VoxelGrid& grid, const Mask& seeds, Mask& mask)
 {
+    require_voxels(grid, "mask", mask.size());
+    require_voxels(grid, "seeds", seeds.size());
     std::vector<std::int64_t> stack;
     for (std::int64_t voxel = 0; voxel < grid.count(); ++voxel)
     {
@@ -288,6 +286,7 @@ void close_mask(const VoxelGrid& grid, double radius, Mask& mask)
 
 void fill_cavities(const VoxelGrid& grid, Mask& mask)
 {
+    require_voxels(grid, "mask", mask.size());
     std::vector<std::int64_t> stack;
     mask[0] = 2;
     flood(grid, 0, stack, [&](std::int64_t v) { return mask[v] == 0 ? (mask[v] = 2, true) : false; });

@@ -35,6 +35,7 @@ std::vector<double> gaussian_weights(double sigma, double step)
 
 void smooth_gaussian(const VoxelGrid& grid, double sigma, std::vector<float>& values)
 {
+    require_voxels(grid, "values", values.size());
     const Vec3 edges = voxel_edges(grid.frame);
     for (int axis = 0; axis < 3 && sigma > 0.0; ++axis)
     {

@@ -51,12 +51,12 @@ void require_size(const LabelVolume& image)
 {
     const bool fits = image.size[0] > 0 && image.size[1] > 0 && image.size[2] > 0 &&
                       static_cast<std::int64_t>(image.labels.size()) == image.size[0] * image.size[1] * image.size[2];
-    if (!fits || !(std::abs(determinant(image.frame.linear)) > 0.0))
+    const double voxel_volume = std::abs(determinant(image.frame.linear));
+    if (!fits || !(voxel_volume > 0.0) || !std::isfinite(voxel_volume) || !is_finite(image.frame.origin))
     {
         throw InputError(fmt::format("label image: {} x {} x {} voxels with {} labels and voxels of {:g} mm³; expected "
                                      "a label for each voxel and a positive volume",
-                                     image.size[0], image.size[1], image.size[2], image.labels.size(),
-                                     std::abs(determinant(image.frame.linear))));
+                                     image.size[0], image.size[1], image.size[2], image.labels.size(), voxel_volume));
     }
 }
 

@@ -100,6 +100,7 @@ class Symmetry
 
 Plane midsagittal_plane(const VoxelGrid& grid, const Mask& mask)
 {
+    require_voxels(grid, "mask", mask.size());
     const Symmetry symmetry(grid, mask);
     constexpr double degree = std::numbers::pi / 180.0;
     constexpr double largest_tilt = 30.0 * degree;

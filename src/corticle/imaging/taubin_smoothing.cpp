@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/imaging/taubin_smoothing.hpp"
 
+#include "corticle/mesh/sizes.hpp"
+
 namespace corticle::imaging
 {
 
@@ -28,6 +30,7 @@ void move_to_mean(TriangleMesh& surface, const std::vector<double>& uses, double
 
 void smooth_taubin(TriangleMesh& surface, int sweeps)
 {
+    require_vertices(surface);
     std::vector<double> uses(surface.vertices.size(), 0.0);
     for (const Triangle& t : surface.triangles)
     {

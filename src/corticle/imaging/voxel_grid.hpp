@@ -3,7 +3,9 @@
 
 #include "corticle/imaging/label_volume.hpp"
 
+#include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 namespace corticle::imaging
@@ -45,6 +47,9 @@ struct VoxelGrid
 
 /// 1 inside, 0 outside, for each voxel of a grid.
 using Mask = std::vector<std::uint8_t>;
+
+/// @throws InputError, "mask: got 7 values, expected 1000", unless the grid has voxels and `count` is their number.
+void require_voxels(const VoxelGrid& grid, std::string_view what, std::size_t count);
 
 /// Number of voxels inside.
 std::int64_t voxel_count(const Mask& mask);

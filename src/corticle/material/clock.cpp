@@ -37,7 +37,7 @@ void require_clock(GestationalClock clock)
 {
     if (clock == GestationalClock::none)
     {
-        throw InputError("time.clock: got \"none\", expected a clock, \"wang\" or \"cubic\", to tell weeks from t");
+        throw InputError("time.clock: got \"none\", expected a clock, \"wang\" or \"cubic\", that turns t into weeks");
     }
 }
 

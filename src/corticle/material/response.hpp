@@ -9,7 +9,7 @@
 // every method, to threads and memory it knows nothing. F = F_e G; energies are of the grown, stress-free volume, which
 // is growth_volume = det G times that of the reference. See docs/theory/tlsph.md.
 //
-// `plain` tells the compiler that growth is that of Tissue::grows_plainly: g_r = 1, and the moduli do not change.
+// `plain` promises the compiler that growth is that of Tissue::grows_plainly: g_r = 1, and the moduli do not change.
 
 namespace corticle::material
 {

@@ -11,7 +11,7 @@
 namespace corticle::mechanics
 {
 
-/// What one evaluation of the internal forces tells about the whole body. A material point is a particle or an element,
+/// What one evaluation of the internal forces says about the whole body. A material point is a particle or an element,
 /// as the discretisation has it.
 struct InternalResponse
 {

@@ -71,7 +71,7 @@ struct TravelTaken
 };
 
 /// Some of the forces on the nodes of a body: the tissue, contact, a skull, gravity. A simulation owns a list of terms;
-/// it tries a step, asks all of them, and tells them when the step is taken.
+/// it tries a step, asks all of them, and notifies them when the step is taken.
 class ForceTerm
 {
   public:

@@ -72,8 +72,8 @@ void set_energies(const model::Simulation& simulation, std::span<const Mat3> F, 
         m.energy_contact += name == "contact" ? value : 0.0;
         others += name == "elastic" || name == "zero_mode" ? 0.0 : value;
     }
-    m.energy_dissipated = state.books.dissipated;
-    m.work_growth = state.books.growth_work;
+    m.energy_dissipated = state.energy_balance.dissipated;
+    m.work_growth = state.energy_balance.growth_work;
     static_cast<EquilibriumMeasures&>(m) = equilibrium_measures(
         {m.energy_elastic, m.energy_zero_mode, m.energy_kinetic, others, m.energy_dissipated, m.work_growth},
         reference_volume(simulation.model()));
@@ -110,8 +110,8 @@ Measures measure(const model::OutputView& view, const SurfaceArrays& arrays)
     m.thickness_mean_mm = area_mean(arrays.thickness, vertex_areas(x, model.cloud.surface_triangles));
     m.fold_wavelength_reference_mm = waves.wavelength_mm;
     m.fold_degree = waves.degree;
-    set_volume_ratios(model, view.F, m);
-    set_energies(simulation, view.F, m);
+    set_volume_ratios(model, *view.F, m);
+    set_energies(simulation, *view.F, m);
     m.overlap_area_share = overlap.area_share;
     m.max_penetration_mm = overlap.deepest_penetration;
     m.barrier_particles = static_cast<double>(simulation.internal().barrier_count);

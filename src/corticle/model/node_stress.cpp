@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/model/node_stress.hpp"
 
-#include "corticle/material/neo_hookean.hpp"
 #include "corticle/material/response.hpp"
+#include "corticle/material/tissue_law.hpp"
 
 namespace corticle::model
 {
@@ -28,7 +28,7 @@ Mat3 cauchy_stress_at(const Simulation& simulation, std::size_t node, const Mat3
         point.growth = 1.0 / point.growth;
         point.radial_growth = 1.0 / point.radial_growth;
     }
-    const material::NeoHookean law{tissue.options.barrier_J};
+    const auto law = material::tissue_law(tissue.options);
     return material::cauchy_stress(material::respond(law, point, tissue.growth_normal(node, F), F).P, F);
 }
 

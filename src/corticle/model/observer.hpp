@@ -17,7 +17,7 @@ enum class RunStatus
 };
 
 /// Something that looks at a simulation as it goes on: a recorder, a progress line, pictures, a callback. Observers are
-/// told in the order they are listed in; what one throws ends the run.
+/// called in the order of their list; what one throws ends the run.
 class Observer
 {
   public:

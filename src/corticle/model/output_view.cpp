@@ -8,7 +8,8 @@ OutputView output_view(const Simulation& simulation, std::size_t number, const P
 {
     std::vector<Vec3> as_folded = simulation.surface_positions();
     std::vector<Vec3> surface = scaled(as_folded, scale.length);
-    return {simulation, number, scale, simulation.deformation_gradients(), std::move(surface), std::move(as_folded)};
+    auto F = std::make_shared<const std::vector<Mat3>>(simulation.deformation_gradients());
+    return {simulation, number, scale, std::move(F), std::move(surface), std::move(as_folded)};
 }
 
 } // namespace corticle::model

@@ -13,9 +13,9 @@ struct OutputView
     const Simulation& simulation;
     std::size_t number; ///< of the output, from 0 at the start of the run
     PhysicalScale scale;
-    std::vector<Mat3> F;         ///< deformation gradients of the nodes [-]
-    std::vector<Vec3> surface;   ///< positions of the surface vertices [mm at the week]
-    std::vector<Vec3> as_folded; ///< the same in mm of the run
+    std::shared_ptr<const std::vector<Mat3>> F; ///< deformation gradients of the nodes [-], shared with who keeps them
+    std::vector<Vec3> surface;                  ///< positions of the surface vertices [mm at the week]
+    std::vector<Vec3> as_folded;                ///< the same in mm of the run
 
     const Model& model() const { return simulation.model(); }
     const State& state() const { return simulation.state(); }

@@ -208,8 +208,8 @@ void Simulation::commit(const dynamics::StepPlan& plan, const dynamics::StepEner
     }
     std::swap(state_->motion, trial_);
     const double growth_step = plan.t - plan.t_before;
-    state_->books.growth_work += 0.5 * (now_.growth_power + trial_sum_.growth_power) * growth_step;
-    state_->books.dissipated +=
+    state_->energy_balance.growth_work += 0.5 * (now_.growth_power + trial_sum_.growth_power) * growth_step;
+    state_->energy_balance.dissipated +=
         energies.damped + trial_travel_.energy + 0.5 * (now_.viscous_power + trial_sum_.viscous_power) * plan.dt;
     now_ = trial_sum_;
     state_->travel_taken += trial_travel_;

@@ -11,7 +11,7 @@ namespace corticle::model
 {
 
 /// Energy balance of a run: what went in and what was taken out, summed over its steps [mu_w mm³].
-struct EnergyBooks
+struct EnergyBalance
 {
     double growth_work = 0.0; ///< put in by growth
     double dissipated = 0.0;  ///< taken by damping and by the travel limit of contact
@@ -29,7 +29,7 @@ struct State
     double step_scale = 1.0;     ///< 1, or what rejections have left of it; grows back
     double loading_rate = 1.0;   ///< dt/dtime in units of 1/T
     double kinetic_energy = 0.0; ///< [mu_w mm³]
-    EnergyBooks books;
+    EnergyBalance energy_balance;
     mechanics::TravelTaken travel_taken; ///< in all steps so far
     mechanics::History history;          ///< what terms carry from step to step
     double lowest_gi_sphere = 1e300;     ///< lowest sphere index so far

@@ -84,8 +84,8 @@ Checkpoint to_checkpoint(const model::State& state, std::span<const metrics::Mea
     checkpoint.scalars["clock"] = {state.t,
                                    state.step_scale,
                                    state.kinetic_energy,
-                                   state.books.growth_work,
-                                   state.books.dissipated,
+                                   state.energy_balance.growth_work,
+                                   state.energy_balance.dissipated,
                                    state.lowest_gi_sphere,
                                    state.onset_t,
                                    state.loading_rate,
@@ -128,7 +128,7 @@ Restored from_checkpoint(const Checkpoint& checkpoint, std::size_t particles, co
     state.t = clock[0];
     state.step_scale = clock[1];
     state.kinetic_energy = clock[2];
-    state.books = {clock[3], clock[4]};
+    state.energy_balance = {clock[3], clock[4]};
     state.lowest_gi_sphere = clock[5];
     state.onset_t = clock[6];
     state.loading_rate = clock[7];

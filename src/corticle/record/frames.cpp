@@ -42,7 +42,7 @@ std::vector<double> times(std::span<const double> values, double factor)
 ParticleArrays particle_arrays(const model::Simulation& simulation, const Frame& frame)
 {
     const material::TissueFields& tissue = simulation.model().tissue;
-    const std::vector<Mat3>& F = frame.F;
+    const std::vector<Mat3>& F = *frame.F;
     const std::size_t count = F.size();
     ParticleArrays a{std::vector<double>(count), std::vector<double>(9 * count), std::vector<double>(9 * count),
                      std::vector<double>(3 * count), std::vector<double>(3 * count)};
@@ -93,10 +93,10 @@ Frame make_frame(const model::OutputView& view, const metrics::SurfaceArrays& ar
     frame.surface = view.surface;
     frame.triangles = cloud.surface_triangles;
     std::vector<double> J;
-    for (std::size_t i = 0; i < frame.F.size(); ++i)
+    for (std::size_t i = 0; i < view.F->size(); ++i)
     {
         frame.particle_growth.push_back(growth_at(simulation, i));
-        J.push_back(determinant(frame.F[i]));
+        J.push_back(determinant((*view.F)[i]));
     }
     frame.surface_J = surface_values(cloud, J);
     frame.surface_growth = surface_values(cloud, frame.particle_growth);

@@ -8,6 +8,7 @@
 #include "corticle/model/simulation.hpp"
 
 #include <filesystem>
+#include <memory>
 
 namespace corticle::record
 {
@@ -20,7 +21,7 @@ struct Frame
     std::string name;                                       ///< "0007": part of every file name of the frame
     std::vector<Vec3> particles;                            ///< current positions [mm]
     std::vector<Vec3> origins;                              ///< reference positions of the particles [mm]
-    std::vector<Mat3> F;                                    ///< deformation gradients of the particles [-]
+    std::shared_ptr<const std::vector<Mat3>> F;             ///< deformation gradients of the particles [-]
     double spacing = 0.0;                                   ///< of the particles in the reference configuration [mm]
     double length_scale = 1.0;                              ///< mm here per mm of the run, known while the run goes on
     std::vector<double> theta;                              ///< [-]

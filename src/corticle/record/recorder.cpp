@@ -24,7 +24,7 @@ double seconds_since(Recorder::Clock::time_point start)
     return std::chrono::duration<double>(Recorder::Clock::now() - start).count();
 }
 
-/// Wall time that earlier sessions of an interrupted run took, as its summary tells [s].
+/// Wall time that earlier sessions of an interrupted run took, from its summary [s].
 double earlier_wall(const std::filesystem::path& folder)
 {
     std::ifstream stream(folder / "summary.json");

@@ -28,7 +28,7 @@ class Recorder final : public model::Observer
     /// @param made       how the body was made
     /// @param folder     locked; learns of every file before it is written
     /// @param versions   of the program, see versions_after()
-    /// @param measuring  tells of the same outputs, before the recorder
+    /// @param measuring  measures the same outputs, before the recorder
     Recorder(const RunRequest& request, const prepare::PreparationReport& made, ResultFolder& folder,
              std::string versions, std::shared_ptr<spdlog::logger> log, Clock::time_point start,
              const metrics::Measuring& measuring);

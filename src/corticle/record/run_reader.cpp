@@ -154,7 +154,7 @@ Frame read_frame(const FrameFiles& files)
                                 Vec3{displacement[3 * i], displacement[3 * i + 1], displacement[3 * i + 2]});
     }
     require_finite(frame.origins, files.particles);
-    frame.F = matrices(of_particles("F", 9));
+    frame.F = std::make_shared<const std::vector<Mat3>>(matrices(of_particles("F", 9)));
     frame.spacing = mean_spacing(of_particles("volume", 1));
     frame.theta = of_particles("theta", 1);
     frame.particle_growth = of_particles("growth", 1);

@@ -8,7 +8,7 @@
 namespace corticle::record
 {
 
-/// What a summary tells besides the last measures.
+/// What a summary holds besides the last measures.
 struct RunInfo
 {
     std::string status;   ///< "completed" | "failed" | "interrupted"

@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -26,8 +25,6 @@ namespace
 
 namespace fs = std::filesystem;
 using Frames = std::vector<std::pair<double, std::string>>;
-
-constexpr std::array<std::string_view, 4> formats{"gifti", "freesurfer", "ply", "stl"};
 
 Frames read_frames(const fs::path& run)
 {
@@ -69,7 +66,7 @@ std::map<std::size_t, std::vector<double>> chosen_frames(const Frames& frames, c
     return chosen;
 }
 
-/// As many decimals as tell all times apart, at least three.
+/// As many decimals as distinguish all times, at least three.
 int decimals_for(const Frames& frames)
 {
     constexpr int fewest = 3;
@@ -125,7 +122,7 @@ std::vector<FileWriter> frame_writers(const ExportRequest& request, const std::s
     const std::vector<Triangle>& triangles = surface.mesh.triangles;
     const auto scalars = scalar_fields(surface);
     std::vector<FileWriter> files;
-    if (request.format == "ply")
+    if (request.format == ExportFormat::ply)
     {
         std::vector<formats::Field> fields;
         for (const auto& [field, part] : scalars)
@@ -135,12 +132,12 @@ std::vector<FileWriter> frame_writers(const ExportRequest& request, const std::s
         files.emplace_back(stem + ".ply", [&, fields](const fs::path& file)
                            { formats::write_surface_ply(file, points, triangles, fields); });
     }
-    else if (request.format == "stl")
+    else if (request.format == ExportFormat::stl)
     {
         files.emplace_back(stem + ".stl",
                            [&](const fs::path& file) { formats::write_surface_stl(file, points, triangles); });
     }
-    else if (request.format == "freesurfer")
+    else if (request.format == ExportFormat::freesurfer)
     {
         files.emplace_back(stem + ".surf",
                            [&](const fs::path& file) { formats::write_surface_freesurfer(file, points, triangles); });
@@ -153,13 +150,13 @@ std::vector<FileWriter> frame_writers(const ExportRequest& request, const std::s
     }
     else
     {
-        const std::string structure = request.structure.empty() ? "Cortex" : request.structure;
-        files.emplace_back(stem + ".surf.gii", [&, structure](const fs::path& file)
+        const std::string& structure = request.structure;
+        files.emplace_back(stem + ".surf.gii", [&](const fs::path& file)
                            { formats::write_surface_gifti(file, points, triangles, structure); });
         for (const auto& [field, part] : scalars)
         {
             files.emplace_back(fmt::format("{}.{}.shape.gii", stem, part),
-                               [scalar = field, structure](const fs::path& file) {
+                               [scalar = field, &structure](const fs::path& file) {
                                    formats::write_scalars_gifti(file, {&scalar, 1}, structure);
                                });
         }
@@ -184,10 +181,6 @@ void require_new(const record::ResultFolder& folder, const ExportRequest& reques
 
 std::vector<ExportedFrame> export_run(const ExportRequest& request)
 {
-    if (std::ranges::find(formats, request.format) == formats.end())
-    {
-        throw InputError(fmt::format("--format: got \"{}\"; expected {}", request.format, fmt::join(formats, ", ")));
-    }
     const Frames frames = read_frames(request.run);
     const auto chosen = chosen_frames(frames, request.times);
     const int decimals = decimals_for(frames);

@@ -335,8 +335,8 @@ std::vector<Vec3> chosen(std::span<const Vec3> points, std::span<const std::int3
     return subset;
 }
 
-void compare_evenness(const model::Model& model, const config::Options& options, const geometry::SurfaceTree& tree,
-                      PreparationComparison& result)
+void compare_regularity(const model::Model& model, const config::Options& options, const geometry::SurfaceTree& tree,
+                        PreparationComparison& result)
 {
     const double spacing = model.cloud.spacing;
     const double support = options.tlsph.support * spacing;
@@ -345,7 +345,7 @@ void compare_evenness(const model::Model& model, const config::Options& options,
         std::vector<double> depths(points.size());
         parallel_for(std::ssize(points),
                      [&](std::int64_t i) { depths[i] = std::sqrt(tree.closest(points[i]).squared_distance); });
-        result.clouds.push_back({std::move(choice), measure_evenness(points, depths, spacing, support)});
+        result.clouds.push_back({std::move(choice), measure_regularity(points, depths, spacing, support)});
     };
     const prepare::Arrangement arrangement = options.geometry.arrangement;
     add(arrangement == prepare::Arrangement::body_fitted ? "ours: repulsion"
@@ -380,7 +380,7 @@ PreparationComparison compare_preparation(const model::Model& model, const confi
     result.depths.push_back(
         depth_errors("thesis: nearest particle on the surface", distances_to_surface_particles(model), exact));
     compare_layers(model, ours, exact, thesis_volumes, result);
-    compare_evenness(model, options, tree, result);
+    compare_regularity(model, options, tree, result);
     return result;
 }
 

@@ -4,7 +4,7 @@
 #include "corticle/config/options.hpp"
 #include "corticle/formats/field.hpp"
 #include "corticle/model/model.hpp"
-#include "corticle/study/evenness.hpp"
+#include "corticle/study/regularity.hpp"
 
 #include <array>
 #include <cstdint>
@@ -65,10 +65,10 @@ struct LayerErrors
 };
 
 /// How evenly one choice spreads its particles.
-struct CloudEvenness
+struct CloudRegularity
 {
     std::string choice;
-    Evenness evenness;
+    Regularity regularity;
 };
 
 /// How far each of the thesis's choices is from the exact answer, beside ours.
@@ -83,7 +83,7 @@ struct PreparationComparison
     std::vector<VolumeErrors> volumes;
     std::vector<DepthErrors> depths;
     std::vector<LayerErrors> layers;
-    std::vector<CloudEvenness> clouds;
+    std::vector<CloudRegularity> clouds;
 
     // For pictures and particle files, one value per particle; of the normals, the middle number of divisions.
     std::vector<double> normal_error;       ///< thesis [degrees]

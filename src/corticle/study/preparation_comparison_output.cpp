@@ -65,7 +65,7 @@ std::vector<Section> sections(const PreparationComparison& comparison)
         layers.rows.push_back(
             {e.choice, {{"cortex_share", e.cortex_share}, {"misassigned_share", e.misassigned_share}}});
     }
-    Section& clouds = all.emplace_back(Section{"clouds", "Evenness of the cloud, distances in spacings", {}});
+    Section& clouds = all.emplace_back(Section{"clouds", "Regularity of the cloud, distances in spacings", {}});
     for (const auto& [choice, e] : comparison.clouds)
     {
         clouds.rows.push_back({choice,
@@ -169,7 +169,8 @@ void write_comparison_pictures(const std::filesystem::path& folder, const model:
            fmt::format("Layer by eq. 24, and normals by the nearest line of {} divisions", divisions));
     render("thesis_volumes.png", comparison.volume_ratio, {"volume / exact volume", 0.0, 4.0},
            fmt::format("Layer by eq. 24, and volumes by counts within {:g} mm", comparison.thesis.kernel_radius_mm));
-    render("thesis_layer.png", comparison.layer_disagreement, {"cortex less exact cortex", -1.0, 1.0, "coolwarm"},
+    render("thesis_layer.png", comparison.layer_disagreement,
+           {"cortex less exact cortex", -1.0, 1.0, view::ColorMap::coolwarm},
            fmt::format("Layer by eq. 24 with lambda = {:g}, and where it is wrong", comparison.thesis.lambda));
 }
 

@@ -149,7 +149,7 @@ metrics::FieldDifference compare_J(const std::array<record::Frame, 2>& frames)
 void compare_frames(FramePair& pair, std::array<std::size_t, 2>& particles)
 {
     const std::array frames{record::read_frame(pair.files[0]), record::read_frame(pair.files[1])};
-    particles = {frames[0].F.size(), frames[1].F.size()};
+    particles = {frames[0].F->size(), frames[1].F->size()};
     pair.J = compare_J(frames);
     pair.surface =
         metrics::surface_distance({frames[0].surface, frames[0].triangles}, {frames[1].surface, frames[1].triangles});
@@ -209,8 +209,8 @@ std::string measure_key(const formats::NumberColumn& column)
 std::vector<double> volume_ratios(const record::Frame& frame)
 {
     std::vector<double> J;
-    J.reserve(frame.F.size());
-    for (const Mat3& F : frame.F)
+    J.reserve(frame.F->size());
+    for (const Mat3& F : *frame.F)
     {
         J.push_back(determinant(F));
     }

@@ -102,14 +102,15 @@ void draw_frame(const std::filesystem::path& folder, const RunComparison& compar
     }
     view::render_surface_pair(
         folder / files[0], surfaces,
-        view::robust_scale("J = det F", together(frames[0].surface_J, frames[1].surface_J), "viridis"),
+        view::robust_scale("J = det F", together(frames[0].surface_J, frames[1].surface_J), view::ColorMap::viridis),
         "Surfaces by volume ratio J");
     std::array cuts{view::middle_cut(frames[0], J[0]), view::middle_cut(frames[1], J[1])};
     const double middle = 0.5 * (cuts[0].coordinate + cuts[1].coordinate);
     cuts[0].coordinate = middle; // the same plane through both
     cuts[1].coordinate = middle;
     view::render_cut_pair(folder / files[1], cuts, captions,
-                          view::robust_scale("J = det F", together(J[0], J[1]), "viridis"), "Cuts by volume ratio J");
+                          view::robust_scale("J = det F", together(J[0], J[1]), view::ColorMap::viridis),
+                          "Cuts by volume ratio J");
 }
 
 } // namespace

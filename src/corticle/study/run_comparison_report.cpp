@@ -23,7 +23,7 @@ using Json = nlohmann::ordered_json;
 /// The measures that the table against t shows; all of them stand in the table of the last time.
 constexpr std::array main_measures{"area_ratio", "volume_ratio", "gi_hull", "gi_sphere", "J_min", "J_mean", "J_max"};
 
-/// Of summary.json: what tells two runs apart.
+/// Of summary.json: what distinguishes two runs.
 constexpr std::array described{"status",  "method", "particles", "elements", "spacing_mm", "neighbours_mean",
                                "onset_t", "steps",  "wall_s",    "threads",  "version"};
 

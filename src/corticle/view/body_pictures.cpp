@@ -150,7 +150,7 @@ void render_body(const std::filesystem::path& folder, const model::Model& model,
         rightward.push_back(n.x);
     }
     cut.scalar = rightward;
-    render_cut(folder / "normals.png", cut, {"x of the normal", -1.0, 1.0, "coolwarm"},
+    render_cut(folder / "normals.png", cut, {"x of the normal", -1.0, 1.0, ColorMap::coolwarm},
                "Normals of the surface, carried inside");
 
     const bool by_thickness = !tissue.thickness.empty();

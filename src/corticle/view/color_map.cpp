@@ -33,18 +33,23 @@ constexpr std::array<Color, 9> coolwarm{{{59, 76, 192},
 constexpr std::array<Color, 2> tissue{{{208, 218, 228}, {196, 78, 62}}};
 constexpr Color grey{0.5, 0.5, 0.5};
 
-std::span<const Color> samples_of(const std::string& map)
+std::span<const Color> samples_of(ColorMap map)
 {
-    if (map == "coolwarm")
+    switch (map)
     {
+    case ColorMap::coolwarm:
         return coolwarm;
+    case ColorMap::tissue:
+        return tissue;
+    case ColorMap::viridis:
+        break;
     }
-    return map == "tissue" ? std::span<const Color>(tissue) : std::span<const Color>(viridis);
+    return viridis;
 }
 
 } // namespace
 
-Color map_color(const std::string& map, double fraction)
+Color map_color(ColorMap map, double fraction)
 {
     if (std::isnan(fraction))
     {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <string>
 
 namespace corticle::view
 {
@@ -10,8 +9,14 @@ namespace corticle::view
 /// Red, green, blue, each from 0 to 1.
 using Color = std::array<double, 3>;
 
-/// The colour of `fraction` (clamped to 0 to 1; NaN gives grey) on a map: "viridis", "coolwarm" (diverging) or
-/// "tissue" (white matter, a pale blue-grey, to cortex, a warm red). Another name gives viridis.
-Color map_color(const std::string& map, double fraction);
+enum class ColorMap
+{
+    viridis,
+    coolwarm, ///< diverging
+    tissue    ///< white matter, a pale blue-grey, to cortex, a warm red
+};
+
+/// The colour of `fraction` (clamped to 0 to 1; NaN gives grey) on a map.
+Color map_color(ColorMap map, double fraction);
 
 } // namespace corticle::view

@@ -4,6 +4,7 @@
 #include "corticle/base/mat3.hpp"
 #include "corticle/formats/field.hpp"
 #include "corticle/mesh/triangle_mesh.hpp"
+#include "corticle/view/color_map.hpp"
 
 #include <array>
 #include <filesystem>
@@ -22,7 +23,7 @@ struct ColorScale
     std::string label; ///< name and unit, shown beside the bar
     double low = 0.0;
     double high = 1.0;
-    std::string map = "viridis"; ///< "viridis" | "coolwarm" (diverging)
+    ColorMap map = ColorMap::viridis;
 };
 
 /// True when a picture can be rendered: a display, or Xvfb (which is started when there is no display).

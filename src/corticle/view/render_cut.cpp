@@ -169,13 +169,14 @@ void render_cut(const std::filesystem::path& png, const CutInput& input, const C
 {
     require_display(png);
     const Section section = section_of(input, half_width > 0.0 ? half_width : fitting_half_width(input));
-    save_page(png, title,
-              [&](vtkRenderer* page)
-              {
-                  add_panel(page, section, input.theta, {"cortex fraction [-]", 0.0, 1.0, "tissue"}, left_panel);
-                  add_panel(page, section, input.scalar, scale, right_panel);
-                  add_text(page, caption_of({input.axis, input.coordinate}), 0.5 * picture_width, 25, {.size = 20});
-              });
+    save_page(
+        png, title,
+        [&](vtkRenderer* page)
+        {
+            add_panel(page, section, input.theta, {"cortex fraction [-]", 0.0, 1.0, ColorMap::tissue}, left_panel);
+            add_panel(page, section, input.scalar, scale, right_panel);
+            add_text(page, caption_of({input.axis, input.coordinate}), 0.5 * picture_width, 25, {.size = 20});
+        });
 }
 
 void render_cut_pair(const std::filesystem::path& png, const std::array<CutInput, 2>& inputs,

@@ -35,7 +35,7 @@ constexpr int panel_width = 600;  // [px]
 constexpr int panel_height = 420; // [px]
 constexpr int title_height = 60;  // [px]
 
-// Told apart by those who see red and green alike: M. Okabe and K. Ito (2008).
+// Distinguishable for those who see red and green alike: M. Okabe and K. Ito (2008).
 constexpr std::array<std::array<unsigned char, 3>, 7> line_colors{
     {{0, 114, 178}, {213, 94, 0}, {0, 158, 115}, {204, 121, 167}, {86, 180, 233}, {230, 159, 0}, {60, 60, 60}}};
 

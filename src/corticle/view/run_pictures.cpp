@@ -38,7 +38,7 @@ record::ResultFolder claim_pictures(const std::filesystem::path& run, std::span<
 
 } // namespace
 
-ColorScale robust_scale(std::string label, std::span<const double> values, std::string map)
+ColorScale robust_scale(std::string label, std::span<const double> values, ColorMap map)
 {
     std::vector<double> sorted(values.begin(), values.end());
     std::sort(sorted.begin(), sorted.end());
@@ -47,7 +47,7 @@ ColorScale robust_scale(std::string label, std::span<const double> values, std::
     double low = std::floor(at(0.02) * 10.0) / 10.0;
     const double high = std::ceil(at(0.98) * 10.0) / 10.0;
     low = high - low < 0.1 ? high - 0.1 : low;
-    return {std::move(label), low, high, std::move(map)};
+    return {std::move(label), low, high, map};
 }
 
 CutInput middle_cut(const record::Frame& frame, std::span<const double> scalar)
@@ -56,7 +56,7 @@ CutInput middle_cut(const record::Frame& frame, std::span<const double> scalar)
                                                    [](const Vec3& a, const Vec3& b) { return a.y < b.y; });
     return {.positions = frame.particles,
             .origins = frame.origins,
-            .F = frame.F,
+            .F = *frame.F,
             .theta = frame.theta,
             .scalar = scalar,
             .spacing = frame.spacing,
@@ -73,17 +73,18 @@ void render_frame(const std::filesystem::path& folder, const record::Frame& fram
     const auto picture = [&](const std::string& kind, std::span<const double> values, const ColorScale& scale) {
         return SurfacePicture{folder / record::surface_picture(kind, frame.name), values, scale};
     };
-    ColorScale curvature = robust_scale("mean curvature [1/mm]", frame.mean_curvature, "coolwarm");
+    ColorScale curvature = robust_scale("mean curvature [1/mm]", frame.mean_curvature, ColorMap::coolwarm);
     curvature.high = std::max(curvature.high, -curvature.low); // 0 in the middle
     curvature.low = -curvature.high;
     const std::array surfaces{
-        picture("J", frame.surface_J, robust_scale("J = det F", frame.surface_J, "viridis")),
-        picture("growth", frame.surface_growth, robust_scale("growth g", frame.surface_growth, "viridis")),
-        picture("sulcal_depth", frame.sulcal_depth, robust_scale("sulcal depth [mm]", frame.sulcal_depth, "viridis")),
+        picture("J", frame.surface_J, robust_scale("J = det F", frame.surface_J, ColorMap::viridis)),
+        picture("growth", frame.surface_growth, robust_scale("growth g", frame.surface_growth, ColorMap::viridis)),
+        picture("sulcal_depth", frame.sulcal_depth,
+                robust_scale("sulcal depth [mm]", frame.sulcal_depth, ColorMap::viridis)),
         picture("mean_curvature", frame.mean_curvature, curvature)};
     render_surface(frame.surface, frame.triangles, surfaces, title);
     render_cut(folder / record::cut_picture(frame.name), middle_cut(frame, frame.particle_growth),
-               robust_scale("growth g", frame.particle_growth, "viridis"), title);
+               robust_scale("growth g", frame.particle_growth, ColorMap::viridis), title);
 }
 
 void render_measures(const std::filesystem::path& folder, std::span<const metrics::Measures> rows)

@@ -13,7 +13,7 @@ namespace corticle::view
 {
 
 /// A colour range that shows the bulk of the values (at least one): the 2nd to 98th percentile, widened to tenths.
-ColorScale robust_scale(std::string label, std::span<const double> values, std::string map);
+ColorScale robust_scale(std::string label, std::span<const double> values, ColorMap map);
 
 /// The cut through the middle of a frame, across y, that shows `scalar` of its particles. Refers to both.
 CutInput middle_cut(const record::Frame& frame, std::span<const double> scalar);

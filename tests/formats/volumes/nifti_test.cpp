@@ -233,7 +233,7 @@ TEST(Nifti, WritesWhatItReads)
                 EXPECT_EQ(back.labels, image.labels);
                 expect_near(back.frame, image.frame, 1e-5); // the file has single precision
             }
-            // The rotation alone tells the same frame.
+            // The rotation alone describes the same frame.
             std::string bytes = bytes_of(folder / "a.nii");
             bytes.replace(formats::nifti1_layout.sform_code, 2, 2, '\0');
             expect_near(formats::parse_nifti(bytes, "a.nii").frame, image.frame, 1e-5);

@@ -112,7 +112,8 @@ TEST_P(PressedPlates, NeverCross)
         mesh.vertices[k] += 0.1 * test::random_vector(1, k);
     }
     Loose plates(mesh, 1.0);
-    const double hold = contact::ContactOptions{}.stiffness * plates.contact.activation_distance();
+    const contact::ContactOptions options;
+    const double hold = options.stiffness * options.distance; // the spacing is 1
     std::vector<Vec3> loads(2 * half);
     for (std::size_t k = 0; k < 2 * half; ++k)
     {

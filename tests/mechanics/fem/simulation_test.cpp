@@ -87,7 +87,7 @@ TEST(FemSimulation, GoesOnFromACheckpointAndABodyFileToTheSameBits)
     EXPECT_THROW(record::read_body(folder / "body.h5", particles), InputError);
 }
 
-TEST(FemSimulation, EnergyBooksOfGrowthBalance)
+TEST(FemSimulation, EnergyBalanceOfGrowthBalance)
 {
     config::Options options;
     options.method = model::Method::fem;
@@ -102,7 +102,8 @@ TEST(FemSimulation, EnergyBooksOfGrowthBalance)
     }
     const model::State& state = simulation.state();
     const double stored = simulation.internal().elastic_energy;
-    EXPECT_NEAR((stored + state.kinetic_energy + state.books.dissipated) / state.books.growth_work, 1.0, 0.002);
+    EXPECT_NEAR((stored + state.kinetic_energy + state.energy_balance.dissipated) / state.energy_balance.growth_work,
+                1.0, 0.002);
     EXPECT_LT(state.kinetic_energy, 0.05 * stored);
 }
 

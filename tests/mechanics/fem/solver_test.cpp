@@ -5,7 +5,6 @@
 #include "corticle/base/parallel.hpp"
 #include "corticle/material/neo_hookean.hpp"
 #include "mechanics/fem/small_tets.hpp"
-#include "momenta.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,22 +17,8 @@ namespace
 
 using test::affine;
 using test::ElementBody;
-using test::largest_norm;
-using test::perturbed;
 
 const Mat3 stretch{{{1.2, 0.05, -0.1}, {0.1, 0.9, 0.2}, {-0.15, 0.1, 1.1}}};
-
-TEST(FemExactness, RestIsFreeOfStrainAndForce)
-{
-    const ElementBody body = test::layered_block();
-    fem::FemSolver solver(body.elements, body.tissue);
-    std::vector<Vec3> forces(body.elements.X.size());
-    const mechanics::InternalResponse response = solver.evaluate(body.elements.X, 0.0, forces);
-    EXPECT_EQ(response.invalid_at, -1);
-    EXPECT_EQ(response.barrier_count + response.extrapolated_count + response.inverted_count, 0);
-    EXPECT_NEAR(response.smallest_J, 1.0, 1e-12);
-    EXPECT_LT(largest_norm(forces), 1e-12);
-}
 
 /// The block of eight is padded; the padding is not a tet and has no J.
 TEST(FemExactness, SmallestJOfATetCountThatIsNoMultipleOfEight)
@@ -90,64 +75,6 @@ TEST(FemExactness, PatchTest)
     EXPECT_LT(test::largest_difference(moment, (-8.0) * expected.stress), 1e-12);
 }
 
-TEST(FemExactness, RigidRotationCostsNothing)
-{
-    const ElementBody body = test::layered_block();
-    fem::FemSolver solver(body.elements, body.tissue);
-    const Mat3 Q = test::rotation(Vec3{2, -1, 2} / 3.0, 2.3);
-    const std::vector<Vec3> x = affine(body.elements.X, Q, {1.0, 2.0, 3.0});
-    std::vector<Vec3> forces(x.size());
-    EXPECT_LT(std::abs(solver.evaluate(x, 0.0, forces).elastic_energy), 1e-11);
-    EXPECT_LT(largest_norm(forces), 1e-12);
-}
-
-TEST(FemExactness, FreeIsotropicGrowthIsFreeOfForceAndStress)
-{
-    ElementBody body = test::layered_block();
-    body.tissue.options.alpha_r = body.tissue.options.alpha_t;
-    body.tissue.options.alpha_white = body.tissue.options.alpha_t;
-    std::ranges::fill(body.tissue.regional_rate, 1.0);
-    const double t = 0.4;
-    const double g = 1.0 + body.tissue.options.alpha_t * t;
-    fem::FemSolver solver(body.elements, body.tissue);
-    const std::vector<Vec3> x = affine(body.elements.X, g * Mat3::identity());
-    std::vector<Vec3> forces(x.size());
-    const mechanics::InternalResponse response = solver.evaluate(x, t, forces);
-    EXPECT_LT(largest_norm(forces), 1e-11);
-    EXPECT_LT(std::abs(response.elastic_energy), 1e-11);
-    EXPECT_NEAR(response.smallest_J, g * g * g, 1e-11);
-}
-
-TEST(FemExactness, BothMomentaAreConserved)
-{
-    const ElementBody body = test::layered_block();
-    fem::FemSolver solver(body.elements, body.tissue);
-    const std::vector<Vec3> x = perturbed(affine(body.elements.X, stretch, {5.0, 0.0, -3.0}), 0.05);
-    std::vector<Vec3> forces(x.size());
-    ASSERT_EQ(solver.evaluate(x, 0.3, forces).invalid_at, -1);
-    test::expect_momenta_conserved(x, forces);
-}
-
-TEST(FemExactness, OneAndTwoThreadsGiveTheSameBits)
-{
-    const ElementBody body = test::layered_block();
-    fem::FemSolver solver(body.elements, body.tissue);
-    const std::vector<Vec3> x = perturbed(body.elements.X, 0.1);
-    const int threads = thread_count();
-    std::vector<Vec3> one(x.size());
-    std::vector<Vec3> two(x.size());
-    set_thread_count(1);
-    const mechanics::InternalResponse by_one = solver.evaluate(x, 0.3, one);
-    set_thread_count(2);
-    const mechanics::InternalResponse by_two = solver.evaluate(x, 0.3, two);
-    set_thread_count(threads);
-    EXPECT_EQ(one, two);
-    EXPECT_EQ(by_one.elastic_energy, by_two.elastic_energy);
-    EXPECT_EQ(by_one.growth_power, by_two.growth_power);
-    EXPECT_EQ(by_one.stiffest_rate, by_two.stiffest_rate);
-    EXPECT_EQ(by_one.smallest_J_at, by_two.smallest_J_at);
-}
-
 TEST(FemExactness, InvertedElementsSurviveAndAreCounted)
 {
     ElementBody body = test::layered_block();
@@ -170,7 +97,7 @@ TEST(FemExactness, InvertedElementsSurviveAndAreCounted)
     EXPECT_LT(dot(forces[tet[0]], face - body.elements.X[tet[0]]), 0.0);
 }
 
-TEST(FemExactness, ACollapsedNodeOrNoNumberIsInvalidAndDescribed)
+TEST(FemExactness, ACollapsedNodeOrNaNIsInvalidAndDescribed)
 {
     const ElementBody body = test::layered_block();
     fem::FemSolver solver(body.elements, body.tissue);

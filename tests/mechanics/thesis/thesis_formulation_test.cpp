@@ -42,7 +42,7 @@ TEST(ThesisFormulation, GoesOnFromACheckpointToTheSameBitsOnAnyThreads)
     set_thread_count(threads);
     expect_same_bits(whole, resumed);
     EXPECT_NEAR(whole.state().t, 20e-4, 1e-15); // steps are fixed
-    EXPECT_GT(whole.state().books.dissipated, 0.0);
+    EXPECT_GT(whole.state().energy_balance.dissipated, 0.0);
 }
 
 /// Near the surface eq. 10 takes the body at rest for compressed; eq. 9 pushes from where pressure is higher, which is

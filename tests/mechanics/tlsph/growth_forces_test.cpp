@@ -127,25 +127,6 @@ INSTANTIATE_TEST_SUITE_P(
         GrowthChoice{"Current", 1.8, 0.3, 0.0, material::GrowthLaw::gompertz, material::NormalFrame::current, 0.1}),
     [](const auto& tested) { return tested.param.name; });
 
-TEST(TlsphGrowthExactness, IsotropicGrowthOfTheWholeBodyIsFreeOfForceAndStress)
-{
-    test::Body body = test::small_sphere();
-    body.tissue.options.alpha_t = body.tissue.options.alpha_r = body.tissue.options.alpha_white = 0.9;
-    const double t = 0.5;
-    const double g = 1.45;
-    tlsph::TlsphSolver solver(body.particles, body.tissue);
-    std::vector<Vec3> forces(body.cloud.positions.size());
-    const auto largest_force = [&](double stretch)
-    {
-        const mechanics::InternalResponse response =
-            solver.evaluate(test::affine(body.cloud.positions, stretch * Mat3::identity()), t, forces);
-        EXPECT_NEAR(response.smallest_J, stretch * stretch * stretch, 1e-10); // the same
-        return test::largest_norm(forces);
-    };
-    const double elsewhere = largest_force(1.1 * g);
-    EXPECT_LT(largest_force(g), 1e-11 * elsewhere);
-}
-
 TEST(TlsphGrowthExactness, PowerIncludesWhatAMovingLayerDoes)
 {
     test::Body body = test::small_sphere();

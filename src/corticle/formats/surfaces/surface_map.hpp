@@ -11,7 +11,7 @@ namespace corticle::formats
 {
 
 /// Reads one number for each of `vertex_count` vertices of a surface, in the order of its file
-/// (read_surface_unmerged): GIFTI func or shape, an array of a .vtp, FreeSurfer's curv files (told by their first
+/// (read_surface_unmerged): GIFTI func or shape, an array of a .vtp, FreeSurfer's curv files (recognised by their first
 /// bytes), a column of a .csv or .txt. `array` names which (a GIFTI array also by its number from 0); empty is for a
 /// file with only one.
 /// @throws InputError, one line naming the file, for a missing array (listing those there), another number of values

@@ -29,7 +29,7 @@ constexpr std::array<std::pair<std::string_view, Parser>, 6> parsers{{{"stl", pa
                                                                       {"vtp", parse_vtp},
                                                                       {"gii", parse_gifti_surface}}};
 
-/// By extension; FreeSurfer's files have none of their own and are told by their first bytes.
+/// By extension; FreeSurfer's files have none of their own and are recognised by their first bytes.
 Parser parser_for(std::string_view bytes, const std::string& extension, const std::string& name)
 {
     for (const auto& [known, parser] : parsers)

@@ -20,7 +20,7 @@ struct SurfaceFileOptions
 };
 
 /// Reads a triangulated surface: STL (ASCII and binary), OBJ, PLY (ASCII and binary), OFF, VTP, GIFTI and FreeSurfer's
-/// binary triangles, which are told by their first bytes; polygons are fanned into triangles; coordinates are
+/// binary triangles, which are recognised by their first bytes; polygons are fanned into triangles; coordinates are
 /// multiplied by the scale. Vertices at the same position are merged. GIFTI and FreeSurfer surfaces come out in scanner
 /// RAS where the file says how to get there and the options do not forbid it: GIFTI by the matrix that leads to
 /// NIFTI_XFORM_SCANNER_ANAT, FreeSurfer's tkRAS by the volume geometry (cras and axes). Never crashes, hangs or

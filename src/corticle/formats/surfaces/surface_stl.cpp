@@ -124,7 +124,7 @@ void parse_ascii(std::string_view bytes, SurfaceBuilder& surface)
     }
 }
 
-/// Text begins with the word "solid". Binary files may do so as well: their size tells them apart, or bytes that text
+/// Text begins with the word "solid". Binary files may do so as well: their size distinguishes them, or bytes that text
 /// does not hold.
 bool is_text(std::string_view bytes)
 {

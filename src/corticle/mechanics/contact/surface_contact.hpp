@@ -14,7 +14,7 @@
 namespace corticle::contact
 {
 
-/// What one evaluation of the contact forces tells.
+/// Result of one evaluation of the contact forces.
 struct ContactResponse
 {
     std::int64_t active = 0; ///< vertices and edges that repel
@@ -63,9 +63,6 @@ class SurfaceContact
     /// The pair that the largest rate of the last evaluation comes from, in words: its particles, by their places in
     /// the body, distance, gap and position. Some pair must repel.
     std::string stiffest_pair() const;
-
-    /// Distance below which surfaces repel [mm].
-    double activation_distance() const { return near_.range(); }
 
   private:
     /// Those that repel their closest: the vertices or the edges.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/material/neo_hookean.hpp"
 #include "corticle/material/response.hpp"
 #include "corticle/material/wide_tissue.hpp"
 #include "corticle/mechanics/fem/elements.hpp"
@@ -85,8 +84,8 @@ CORTICLE_INLINE WideLanes volumes(const WideEdges& edge)
 }
 
 /// Forces, energy and growth power of the tets where nothing is extrapolated.
-template <bool plain>
-CORTICLE_INLINE TetResponse respond(const TetBlock& block, const WideEdges& edge, const WideMat3& F,
+template <bool plain, material::Material<WideLanes> Law>
+CORTICLE_INLINE TetResponse respond(const Law& law, const TetBlock& block, const WideEdges& edge, const WideMat3& F,
                                     const material::WideTissue& tissue, const NodalSums& nodal)
 {
     const auto& point = tissue.point;
@@ -94,7 +93,7 @@ CORTICLE_INLINE TetResponse respond(const TetBlock& block, const WideEdges& edge
     const WideLanes J_g = material::growth_volume<plain>(point);
     const material::ElasticDeformation<WideLanes> e = material::elastic_deformation<plain>(point, tissue.normal, F);
     const material::DeviatoricResponse<WideLanes> shape =
-        material::NeoHookean{}.respond_to_shape(point.shear_modulus, e.F_e, e.cofactor_e, e.J_e);
+        law.respond_to_shape(point.shear_modulus, e.F_e, e.cofactor_e, e.J_e);
 
     TetResponse out;
     const WideMat3 P = (V * J_g) * (shape.stress * e.inverse_G) + (0.25 * nodal.pressure * V) * cofactor(F);

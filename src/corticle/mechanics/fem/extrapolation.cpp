@@ -75,44 +75,4 @@ SingularValues singular_values(const Mat3& F)
     return result;
 }
 
-material::ElasticResponse extrapolated_deviatoric(const SingularValues& elastic, double shear_modulus,
-                                                  double bulk_modulus)
-{
-    std::array<double, 3> c;
-    std::array<double, 3> d;
-    for (int i = 0; i < 3; ++i)
-    {
-        c[i] = std::max(elastic.stretch[i], extrapolated_stretch);
-        d[i] = elastic.stretch[i] - c[i];
-    }
-    const double scale = shear_modulus * std::pow(c[0] * c[1] * c[2], -2.0 / 3.0);
-    const double squares = c[0] * c[0] + c[1] * c[1] + c[2] * c[2];
-    material::ElasticResponse result;
-    result.deviatoric_energy = 0.5 * (scale * squares - 3.0 * shear_modulus);
-    Vec3 slope; // dW / dstretch
-    for (int i = 0; i < 3; ++i)
-    {
-        const double slope_i = scale * (c[i] - squares / (3.0 * c[i])); // W_i(c)
-        result.deviatoric_energy += slope_i * d[i];
-        result.volumetric_energy += 0.5 * bulk_modulus * d[i] * d[i];
-        slope[i] += slope_i + bulk_modulus * d[i];
-        for (int j = 0; j < 3; ++j)
-        {
-            // dW_i/dc_j = scale (delta_ij (1 + squares / (3 c_i²)) - 2 c_j / (3 c_i) - 2 / (3 c_j) (c_i - ...)) moves
-            // with the stretches that are not held at 0.1.
-            if (d[j] == 0.0 && d[i] != 0.0)
-            {
-                slope[j] += d[i] * (-2.0 / (3.0 * c[j]) * slope_i - scale * 2.0 * c[j] / (3.0 * c[i]));
-            }
-        }
-    }
-    Mat3 turned = elastic.U;
-    for (int i = 0; i < 3; ++i)
-    {
-        turned.column[i] *= slope[i];
-    }
-    result.stress = turned * transpose(elastic.V);
-    return result;
-}
-
 } // namespace corticle::fem

@@ -2,14 +2,14 @@
 #pragma once
 
 #include "corticle/base/parallel.hpp"
-#include "corticle/material/tissue.hpp"
+#include "corticle/material/wide_tissue.hpp"
 #include "corticle/mechanics/discretization.hpp"
 #include "corticle/mechanics/fem/elements.hpp"
 
 #include <algorithm>
 
-// The two sweeps over the tets of one chunk: volumes of its nodes, then forces on them. Each writes only its chunk's
-// part of a buffer.
+// The first of the two sweeps over the tets of one chunk: volumes of its nodes. force_pass.hpp has the second, the
+// forces on them. Each writes only its chunk's part of a buffer.
 
 namespace corticle::fem
 {
@@ -54,16 +54,23 @@ struct Chunk
     const TetBlock& block_of(std::int64_t first) const { return elements.blocks[first / wide_lanes]; }
 };
 
+inline constexpr std::size_t most_nodes = 4 * parallel_block; ///< of a chunk
+
+CORTICLE_INLINE WideGroup group_of(const Chunk& chunk, std::int64_t first)
+{
+    return {first, std::min(wide_lanes, chunk.end - first)};
+}
+
+/// `plain`: growth is that of Tissue::grows_plainly.
+template <bool plain>
+CORTICLE_INLINE material::WideTissue tissue_of(const Chunk& chunk, const WideGroup& group, const WideMat3& F)
+{
+    return plain ? material::plain_tissue(chunk.tissue, chunk.t, group)
+                 : material::any_tissue(chunk.tissue, chunk.t, group, F);
+}
+
 /// Parts of the volumes of the chunk's nodes. The first for growth that Tissue::grows_plainly.
 void plain_volumes(const Chunk& chunk, const Vec3* x, NodalVolume* parts);
 void general_volumes(const Chunk& chunk, const Vec3* x, NodalVolume* parts);
-
-/// Parts of the forces on the chunk's nodes, the lane with the stiffness of BlockResponse. Adds to `sum` what the tets
-/// give: deviatoric energy, growth power, counts, the smallest J.
-/// @param values  of all nodes
-void plain_forces(const Chunk& chunk, const Vec3* x, const NodalPressure* values, Vec3* parts,
-                  mechanics::InternalResponse& sum);
-void general_forces(const Chunk& chunk, const Vec3* x, const NodalPressure* values, Vec3* parts,
-                    mechanics::InternalResponse& sum);
 
 } // namespace corticle::fem

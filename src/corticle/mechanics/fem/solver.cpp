@@ -3,8 +3,8 @@
 
 #include "corticle/base/parallel.hpp"
 #include "corticle/base/simd.hpp"
-#include "corticle/material/neo_hookean.hpp"
-#include "corticle/mechanics/fem/passes.hpp"
+#include "corticle/material/tissue_law.hpp"
+#include "corticle/mechanics/fem/force_pass.hpp"
 #include "corticle/mesh/sizes.hpp"
 
 #include <fmt/format.h>
@@ -34,10 +34,18 @@ CORTICLE_INLINE Part joined(const TetElements& elements, std::int64_t node, cons
 } // namespace
 
 FemSolver::FemSolver(const TetElements& elements, const material::Tissue& tissue)
-    : elements_(elements), tissue_(tissue), volume_parts_(elements.chunk_node.size()),
+    : FemSolver(elements, tissue, force_pass(material::tissue_law(tissue.options)))
+{
+}
+
+FemSolver::FemSolver(const TetElements& elements, const material::Tissue& tissue,
+                     std::unique_ptr<const ForcePass> forces)
+    : elements_(elements), tissue_(tissue), force_pass_(std::move(forces)), volume_parts_(elements.chunk_node.size()),
       force_parts_(elements.chunk_node.size()), node_values_(elements.X.size())
 {
 }
+
+FemSolver::~FemSolver() = default;
 
 mechanics::InternalResponse FemSolver::evaluate_volumes(std::span<const Vec3> x, double t)
 {
@@ -48,8 +56,7 @@ mechanics::InternalResponse FemSolver::evaluate_volumes(std::span<const Vec3> x,
                         const Chunk chunk(elements_, tissue_, t, begin, end);
                         sum_chunk(chunk, x.data(), volume_parts_.data() + chunk.first_part);
                     });
-    const double barrier_J = tissue_.options.barrier_J;
-    const material::NeoHookean law{barrier_J};
+    const double barrier_J = force_pass_->barrier_J();
     return parallel_reduce(
         std::ssize(x), mechanics::InternalResponse{},
         [&](std::int64_t begin, std::int64_t end)
@@ -64,7 +71,7 @@ mechanics::InternalResponse FemSolver::evaluate_volumes(std::span<const Vec3> x,
                     sum.invalid_at = sum.invalid_at < 0 ? i : sum.invalid_at;
                     continue;
                 }
-                const auto [density, slope] = law.respond_to_volume(1.0, ratio);
+                const auto [density, slope] = force_pass_->respond_to_volume(ratio);
                 const double pressure = volume.bulk / volume.grown * slope;
                 node_values_[i] = {pressure, density, pressure * ratio};
                 sum.elastic_energy += volume.bulk * density;
@@ -84,7 +91,6 @@ mechanics::InternalResponse FemSolver::evaluate(std::span<const Vec3> x, double 
     {
         return total;
     }
-    const auto sum_chunk = tissue_.grows_plainly() ? plain_forces : general_forces;
     mechanics::InternalResponse initial;
     initial.smallest_J = std::numeric_limits<double>::infinity();
     total.smallest_J = initial.smallest_J;
@@ -94,8 +100,8 @@ mechanics::InternalResponse FemSolver::evaluate(std::span<const Vec3> x, double 
                                {
                                    const Chunk chunk(elements_, tissue_, t, begin, end);
                                    mechanics::InternalResponse sum = initial;
-                                   sum_chunk(chunk, x.data(), node_values_.data(),
-                                             force_parts_.data() + chunk.first_part, sum);
+                                   force_pass_->run(chunk, x.data(), node_values_.data(),
+                                                    force_parts_.data() + chunk.first_part, sum);
                                    return sum;
                                },
                                mechanics::join));

@@ -3,8 +3,12 @@
 
 #include "corticle/mechanics/fem/passes.hpp"
 
+#include <memory>
+
 namespace corticle::fem
 {
+
+class ForcePass;
 
 /// Linear tetrahedra with the volumetric energy on nodal averages of the volume ratio (Tallinen et al. 2016, in the
 /// form that is a gradient; see docs/theory/fem.md):
@@ -14,9 +18,12 @@ namespace corticle::fem
 class FemSolver final : public mechanics::Discretization
 {
   public:
-    /// Keeps references to the first and to what the tissue refers to: they must outlive the solver. @param tissue  of
-    /// the tets, at their centroids
+    /// Keeps references to the first and to what the tissue refers to: they must outlive the solver. The law is
+    /// material::tissue_law. @param tissue  of the tets, at their centroids
     FemSolver(const TetElements& elements, const material::Tissue& tissue);
+    /// With another law: see force_pass.hpp.
+    FemSolver(const TetElements& elements, const material::Tissue& tissue, std::unique_ptr<const ForcePass> forces);
+    ~FemSolver() override;
 
     mechanics::InternalResponse evaluate(std::span<const Vec3> x, double t, std::span<Vec3> forces) override;
 
@@ -37,6 +44,7 @@ class FemSolver final : public mechanics::Discretization
 
     const TetElements& elements_;
     material::Tissue tissue_;
+    std::unique_ptr<const ForcePass> force_pass_;
     std::vector<NodalVolume> volume_parts_;  ///< per entry of chunk_node
     std::vector<Vec3> force_parts_;          ///< the same; the lane sums the stiffness
     std::vector<NodalPressure> node_values_; ///< per node

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/material/neo_hookean.hpp"
 #include "corticle/material/response.hpp"
 
 namespace corticle::thesis
@@ -9,8 +8,9 @@ namespace corticle::thesis
 
 /// F G for F (thesis eqs. 22 and 23): P = dW/dF (F G), energy W(F G), neither of which knows that F G is no
 /// deformation.
-CORTICLE_INLINE material::Response
-respond_multiplied(const material::NeoHookean& law, const material::MaterialPoint& point, const Vec3& n, const Mat3& F)
+template <material::Material Law>
+CORTICLE_INLINE material::Response respond_multiplied(const Law& law, const material::MaterialPoint& point,
+                                                      const Vec3& n, const Mat3& F)
 {
     const Mat3 across = outer(n, n);
     const Mat3 along = Mat3::identity() - across;

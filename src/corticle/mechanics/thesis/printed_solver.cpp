@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/mechanics/thesis/printed_solver.hpp"
+#include "corticle/material/tissue_law.hpp"
 
 #include "corticle/base/parallel.hpp"
 #include "corticle/mechanics/thesis/printed_law.hpp"
@@ -81,7 +82,7 @@ CORTICLE_INLINE void respond(const PassInput& in, std::int64_t i, const Neighbor
     }
 
     const material::MaterialPoint point = in.tissue.point(i, in.t);
-    const material::NeoHookean law{in.tissue.options.barrier_J};
+    const auto law = material::tissue_law(in.tissue.options);
     const Vec3 n = in.tissue.growth_normal(i, F);
     const material::Response grown = in.options.growth == GrowthEntry::multiplied ? respond_multiplied(law, point, n, F)
                                                                                   : material::respond(law, point, n, F);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/mechanics/tlsph/solver.hpp"
 
-#include "corticle/material/neo_hookean.hpp"
+#include "corticle/material/tissue_law.hpp"
 #include "corticle/mechanics/tlsph/deformation_pass.hpp"
 #include "corticle/mechanics/tlsph/response.hpp"
 #include "corticle/mesh/sizes.hpp"
@@ -88,7 +88,7 @@ CORTICLE_EVERY_ISA void gradient_block(const Block& block, const Vec3* x, BlockT
 } // namespace
 
 TlsphSolver::TlsphSolver(const Particles& particles, const material::Tissue& tissue)
-    : TlsphSolver(particles, tissue, deformation_pass(material::NeoHookean{tissue.options.barrier_J}))
+    : TlsphSolver(particles, tissue, deformation_pass(material::tissue_law(tissue.options)))
 {
 }
 

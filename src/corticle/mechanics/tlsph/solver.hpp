@@ -20,7 +20,7 @@ class TlsphSolver final : public mechanics::Discretization
 {
   public:
     /// Keeps references to the first and to what the tissue refers to: they must outlive the solver. The law is
-    /// neo-Hookean.
+    /// material::tissue_law.
     TlsphSolver(const Particles& particles, const material::Tissue& tissue);
     /// With another law: see deformation_pass.hpp.
     TlsphSolver(const Particles& particles, const material::Tissue& tissue,

@@ -20,7 +20,7 @@ struct RunState
     bool is_finished() const { return status == "completed" || status == "failed"; }
 };
 
-/// As its summary.json and run.log tell; pending where there is no summary.
+/// From its summary.json and run.log; pending where there is no summary.
 RunState read_state(const std::filesystem::path& run_folder);
 
 /// Run folders of a sweep, one for each run; runs of the same case share one.

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
-
 #include "corticle/config/options.hpp"
 #include "corticle/study/sweep/sweep_file.hpp"
 
+#include <array>
 #include <span>
 
 namespace corticle::sweep

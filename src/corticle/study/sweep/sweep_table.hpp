@@ -16,7 +16,7 @@ struct JDifference
     double error = std::numeric_limits<double>::quiet_NaN(); ///< of interpolation; 0 where the points are the same
 };
 
-/// What is told of one run of a sweep.
+/// One run of a sweep in the table.
 struct SweepRow
 {
     std::size_t run = 0;          ///< number, from 0

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/study/evenness.hpp"
+#include "corticle/study/regularity.hpp"
 
 #include "corticle/base/parallel.hpp"
 #include "corticle/mechanics/tlsph/kernel.hpp"
@@ -77,8 +77,8 @@ std::vector<double> nearest_distances(std::span<const Vec3> positions)
 
 } // namespace
 
-Evenness measure_evenness(std::span<const Vec3> positions, std::span<const double> depths, double spacing,
-                          double support)
+Regularity measure_regularity(std::span<const Vec3> positions, std::span<const double> depths, double spacing,
+                              double support)
 {
     assert(positions.size() > 1 && depths.size() == positions.size());
     const std::vector<double> nearest = nearest_distances(positions);
@@ -92,17 +92,18 @@ Evenness measure_evenness(std::span<const Vec3> positions, std::span<const doubl
         }
     }
     const Moments distance = moments(nearest);
-    Evenness evenness;
-    evenness.particles = std::ssize(positions);
-    evenness.closest_pair = *std::min_element(nearest.begin(), nearest.end()) / spacing;
-    evenness.nearest_mean = distance.mean / spacing;
-    evenness.nearest_variation = distance.variation;
-    evenness.neighbors_variation = moments(deep_counts).variation;
-    evenness.fewest_neighbors = std::llround(*std::min_element(near.count.begin(), near.count.end()));
-    evenness.worst_condition = *std::max_element(near.condition.begin(), near.condition.end());
-    evenness.ill_conditioned = std::count_if(near.condition.begin(), near.condition.end(),
-                                             [](double condition) { return !(condition <= tlsph::largest_condition); });
-    return evenness;
+    Regularity regularity;
+    regularity.particles = std::ssize(positions);
+    regularity.closest_pair = *std::min_element(nearest.begin(), nearest.end()) / spacing;
+    regularity.nearest_mean = distance.mean / spacing;
+    regularity.nearest_variation = distance.variation;
+    regularity.neighbors_variation = moments(deep_counts).variation;
+    regularity.fewest_neighbors = std::llround(*std::min_element(near.count.begin(), near.count.end()));
+    regularity.worst_condition = *std::max_element(near.condition.begin(), near.condition.end());
+    regularity.ill_conditioned =
+        std::count_if(near.condition.begin(), near.condition.end(),
+                      [](double condition) { return !(condition <= tlsph::largest_condition); });
+    return regularity;
 }
 
 } // namespace corticle::study

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/study/evenness.hpp"
+#include "corticle/study/regularity.hpp"
 
 #include "corticle/base/random.hpp"
 
@@ -34,22 +34,22 @@ LatticeCloud lattice_cloud()
     return cloud;
 }
 
-TEST(Evenness, OfALatticeIsPerfect)
+TEST(Regularity, OfALatticeIsPerfect)
 {
     const auto [positions, depths] = lattice_cloud();
-    const study::Evenness evenness = study::measure_evenness(positions, depths, 1.0, 2.3);
-    EXPECT_EQ(evenness.particles, side * side * side);
-    EXPECT_DOUBLE_EQ(evenness.closest_pair, 1.0);
-    EXPECT_DOUBLE_EQ(evenness.nearest_mean, 1.0);
-    EXPECT_DOUBLE_EQ(evenness.nearest_variation, 0.0);
-    EXPECT_DOUBLE_EQ(evenness.neighbors_variation, 0.0);
+    const study::Regularity regularity = study::measure_regularity(positions, depths, 1.0, 2.3);
+    EXPECT_EQ(regularity.particles, side * side * side);
+    EXPECT_DOUBLE_EQ(regularity.closest_pair, 1.0);
+    EXPECT_DOUBLE_EQ(regularity.nearest_mean, 1.0);
+    EXPECT_DOUBLE_EQ(regularity.nearest_variation, 0.0);
+    EXPECT_DOUBLE_EQ(regularity.neighbors_variation, 0.0);
     // Of the 56 lattice points within 2.3 (squares 1, 2, 3, 4, 5), a corner has these in its octant:
-    EXPECT_EQ(evenness.fewest_neighbors, 3 + 3 + 1 + 3 + 6);
-    EXPECT_LT(evenness.worst_condition, 5.0);
-    EXPECT_EQ(evenness.ill_conditioned, 0);
+    EXPECT_EQ(regularity.fewest_neighbors, 3 + 3 + 1 + 3 + 6);
+    EXPECT_LT(regularity.worst_condition, 5.0);
+    EXPECT_EQ(regularity.ill_conditioned, 0);
 }
 
-TEST(Evenness, OfChanceIsNot)
+TEST(Regularity, OfChanceIsNot)
 {
     LatticeCloud cloud = lattice_cloud();
     for (std::size_t i = 0; i < cloud.positions.size(); ++i)
@@ -59,17 +59,17 @@ TEST(Evenness, OfChanceIsNot)
         cloud.positions[i] = X;
         cloud.depths[i] = std::min({X.x, X.y, X.z, side - X.x, side - X.y, side - X.z});
     }
-    const study::Evenness evenness = study::measure_evenness(cloud.positions, cloud.depths, 1.0, 2.3);
+    const study::Regularity regularity = study::measure_regularity(cloud.positions, cloud.depths, 1.0, 2.3);
     // Nearest neighbours of a Poisson process: mean Gamma(4/3) (3 / 4 pi)^(1/3), standard deviation 0.36 of it. The
     // faces, beyond which there is nothing, lengthen the mean a little.
-    EXPECT_NEAR(evenness.nearest_mean, 0.554, 0.04);
-    EXPECT_NEAR(evenness.nearest_variation, 0.363, 0.03);
+    EXPECT_NEAR(regularity.nearest_mean, 0.554, 0.04);
+    EXPECT_NEAR(regularity.nearest_variation, 0.363, 0.03);
     // Counts in a ball that holds 51 on the mean.
-    EXPECT_NEAR(evenness.neighbors_variation, 1.0 / std::sqrt(51.0), 0.03);
-    EXPECT_LT(evenness.closest_pair, 0.2);
+    EXPECT_NEAR(regularity.neighbors_variation, 1.0 / std::sqrt(51.0), 0.03);
+    EXPECT_LT(regularity.closest_pair, 0.2);
 }
 
-TEST(Evenness, NamesShapeMatricesThatAreSingular)
+TEST(Regularity, NamesShapeMatricesThatAreSingular)
 {
     // All in one plane.
     std::vector<Vec3> positions;
@@ -77,9 +77,9 @@ TEST(Evenness, NamesShapeMatricesThatAreSingular)
     {
         positions.push_back({k / 10 * 1.0, k % 10 * 1.0, 0.0});
     }
-    const study::Evenness evenness = study::measure_evenness(positions, std::vector<double>(100, 0.0), 1.0, 2.3);
-    EXPECT_EQ(evenness.ill_conditioned, 100);
-    EXPECT_GT(evenness.worst_condition, 1e6);
+    const study::Regularity regularity = study::measure_regularity(positions, std::vector<double>(100, 0.0), 1.0, 2.3);
+    EXPECT_EQ(regularity.ill_conditioned, 100);
+    EXPECT_GT(regularity.worst_condition, 1e6);
 }
 
 } // namespace

@@ -10,7 +10,7 @@ namespace corticle::study
 {
 
 /// How evenly particles are spread, and what that means for the gradient correction. Distances are in spacings.
-struct Evenness
+struct Regularity
 {
     std::int64_t particles = 0;
     double closest_pair = 0.0;
@@ -27,7 +27,7 @@ struct Evenness
 /// @param depths     distances of the particles to the surface [mm]
 /// @param spacing    cube root of the body's volume per particle [mm]
 /// @param support    of the kernel [mm]
-Evenness measure_evenness(std::span<const Vec3> positions, std::span<const double> depths, double spacing,
-                          double support);
+Regularity measure_regularity(std::span<const Vec3> positions, std::span<const double> depths, double spacing,
+                              double support);
 
 } // namespace corticle::study

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace corticle::test
+namespace corticle
 {
 
 /// A number that carries its derivative along (forward differentiation), with what the laws ask of a number.
@@ -41,4 +41,4 @@ struct Dual
     friend Dual log(const Dual& a) { return {std::log(a.value), a.slope / a.value}; }
 };
 
-} // namespace corticle::test
+} // namespace corticle
