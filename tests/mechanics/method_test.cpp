@@ -37,7 +37,7 @@ class Method : public testing::Test
     std::vector<Vec3> forces = std::vector<Vec3>(body.X().size());
 };
 
-using Methods = testing::Types<test::OfParticles, test::OfTets>;
+using Methods = testing::Types<test::OfParticles, test::OfGradedParticles, test::OfTets>;
 TYPED_TEST_SUITE(Method, Methods);
 
 TYPED_TEST(Method, RestIsFreeOfStrainAndForce)

@@ -39,6 +39,18 @@ struct OfParticles
     Body body = small_sphere();
 };
 
+/// Particles twice as far apart in the core as in the cortex.
+struct OfGradedParticles : OfParticles
+{
+    OfGradedParticles()
+    {
+        config::Options options = sphere_options(4000);
+        options.geometry.grading = 2.0;
+        options.tissue.lambda = 0.9;
+        body = Body(prepare::prepare_body(options).model, options);
+    }
+};
+
 struct OfTets
 {
     static constexpr double round_off = 1e-12; ///< of F
