@@ -94,7 +94,8 @@ void mutate(std::string& text, Random& random)
         }
         break;
     case 5:
-        text.replace(at, length, tokens[below(random, std::size(tokens))]);
+        text.erase(at, length);
+        text.insert(at, tokens[below(random, std::size(tokens))]);
         break;
     default:
         text.resize(at);
