@@ -82,20 +82,23 @@ void mutate(std::string& text, Random& random)
         text.erase(at, length);
         break;
     case 2:
-        text.insert(at, tokens[below(random, std::size(tokens))]);
+        text = text.substr(0, at) + std::string(tokens[below(random, std::size(tokens))]) + text.substr(at);
         break;
     case 3: // a piece again, somewhere else
         text.insert(below(random, text.size() + 1), std::string(text.substr(at, length)));
         break;
     case 4: // one token many times
+    {
+        std::string many;
         for (std::size_t i = 0, times = below(random, 3000); i < times; ++i)
         {
-            text.insert(std::min(at, text.size()), tokens[below(random, 2) == 0 ? 0 : 5]);
+            many += tokens[below(random, 2) == 0 ? 0 : 5];
         }
+        text = text.substr(0, at) + many + text.substr(at);
         break;
+    }
     case 5:
-        text.erase(at, length);
-        text.insert(at, tokens[below(random, std::size(tokens))]);
+        text = text.substr(0, at) + std::string(tokens[below(random, std::size(tokens))]) + text.substr(at + length);
         break;
     default:
         text.resize(at);
