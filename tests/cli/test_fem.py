@@ -48,6 +48,8 @@ def run(bench):
     bench.check(abs(summary["elements"] / 2500 - 1) < 0.15, f"{summary['elements']} elements, asked for 2500")
     bench.check(summary["inverted_elements"] == 0 and summary["ns_per_element_step"] > 0, f"summary: {summary}")
     bench.check(1.2 < summary["area_ratio"] < 2.0, f"area ratio {summary['area_ratio']}")
+    curved = summary["curved_volume_ratio"] / summary["volume_ratio"]
+    bench.check(0.99 < curved < 1.05, f"curved volume ratio over the flat one: {curved}")
     balance = (summary["energy_elastic"] + summary["energy_kinetic"] + summary["energy_dissipated"]) / summary["work_growth"]
     bench.check(abs(balance - 1) < 0.01, f"energies over the work of growth: {balance}")
 

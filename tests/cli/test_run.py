@@ -32,7 +32,7 @@ def folder_and_refusals(bench):
         bench.check((run / name).is_file(), f"the run folder lacks {name}")
     got = summary(bench, "runs/case")
     bench.check(got.get("status") == "completed" and abs(got.get("t", 0) - 0.1) < 1e-12, f"summary: {got}")
-    for key in ("area_ratio", "gi_hull", "gi_sphere", "J_min", "overlap_area_share", "onset_t", "energy_elastic"):
+    for key in ("area_ratio", "curved_area_ratio", "curved_volume_ratio", "curved_gi_hull", "gi_hull", "gi_sphere", "J_min", "overlap_area_share", "onset_t", "energy_elastic"):
         bench.check(key in got, f"summary.json lacks {key}")
     rows = (run / "measures.csv").read_text().strip().splitlines() if (run / "measures.csv").is_file() else []
     bench.check(len(rows) == 4, f"measures.csv has {len(rows)} lines, expected a header and 3 times")

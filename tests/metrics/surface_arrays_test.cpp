@@ -64,6 +64,10 @@ TEST(SurfaceArrays, MillimetresAtTheirWeek)
     expect(m.abs_mean_curvature_per_mm, 0.5 * run.abs_mean_curvature_per_mm);
     expect(m.area_ratio, run.area_ratio);
     expect(m.volume_ratio, run.volume_ratio);
+    expect(m.curved_area_mm2, 4.0 * run.curved_area_mm2);
+    expect(m.curved_volume_mm3, 8.0 * run.curved_volume_mm3);
+    expect(m.curved_area_ratio, run.curved_area_ratio);
+    expect(m.curved_volume_ratio, run.curved_volume_ratio);
     expect(m.gi_hull, run.gi_hull);
     expect(m.gi_zilles, run.gi_zilles);
     expect(m.asymmetry_area + 1.0, run.asymmetry_area + 1.0);

@@ -3,6 +3,7 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/geometry/self_intersections.hpp"
+#include "corticle/metrics/curved_surface.hpp"
 #include "corticle/metrics/measure_table.hpp"
 
 #include <fmt/format.h>
@@ -92,6 +93,7 @@ Measures measure(const model::OutputView& view, const SurfaceArrays& arrays)
     const SurfaceMeasures now = measure_surface(x, model.cloud.surface_triangles);
     const double area_0 = surface_area(model.surface.vertices, model.surface.triangles);
     const double volume_0 = enclosed_volume(model.surface.vertices, model.surface.triangles);
+    const CurvedSize curved_0 = curved_size(model.surface.vertices, model.surface.triangles);
     const Overlap overlap =
         measure_overlap(x, model.cloud.surface_triangles, probe_in_spacings * model.cloud.spacing * scale.length);
 
@@ -107,6 +109,8 @@ Measures measure(const model::OutputView& view, const SurfaceArrays& arrays)
     m.rejected_steps = static_cast<double>(state.rejected_steps);
     m.area_ratio = now.area_mm2 / (area_0 * std::pow(scale.length, 2));
     m.volume_ratio = now.volume_mm3 / (volume_0 * std::pow(scale.length, 3));
+    m.curved_area_ratio = now.curved_area_mm2 / (curved_0.area_mm2 * std::pow(scale.length, 2));
+    m.curved_volume_ratio = now.curved_volume_mm3 / (curved_0.volume_mm3 * std::pow(scale.length, 3));
     m.thickness_mean_mm = area_mean(arrays.thickness, vertex_areas(x, model.cloud.surface_triangles));
     m.fold_wavelength_reference_mm = waves.wavelength_mm;
     m.fold_degree = waves.degree;

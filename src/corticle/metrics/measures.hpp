@@ -23,6 +23,8 @@ struct Measures : SurfaceMeasures, FoldMeasures, EquilibriumMeasures
     double rejected_steps = 0.0;
     double area_ratio = 0.0;                   ///< over the initial area
     double volume_ratio = 0.0;                 ///< over the initial volume
+    double curved_area_ratio = 0.0;            ///< over the initial curved area
+    double curved_volume_ratio = 0.0;          ///< over the initial curved volume
     double thickness_mean_mm = 0.0;            ///< of the cortex, weighted with current area
     double fold_wavelength_reference_mm = 0.0; ///< see ReferenceFolds
     double fold_degree = 0.0;                  ///< the same

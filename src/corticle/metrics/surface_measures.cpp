@@ -6,6 +6,7 @@
 #include "corticle/geometry/hull.hpp"
 #include "corticle/geometry/triangle_tests.hpp"
 #include "corticle/mesh/sizes.hpp"
+#include "corticle/metrics/curved_surface.hpp"
 
 #include <array>
 #include <limits>
@@ -53,6 +54,11 @@ SurfaceMeasures measure_surface(std::span<const Vec3> vertices, std::span<const 
     m.hull_area_mm2 = surface_area(hull.vertices, hull.triangles);
     m.gi_hull = m.area_mm2 / m.hull_area_mm2;
     m.gi_sphere = sphere_index(m.area_mm2, m.volume_mm3);
+    const CurvedSize curved = curved_size(vertices, triangles);
+    m.curved_area_mm2 = curved.area_mm2;
+    m.curved_volume_mm3 = curved.volume_mm3;
+    m.curved_gi_hull = curved.area_mm2 / m.hull_area_mm2;
+    m.curved_gi_sphere = sphere_index(curved.area_mm2, curved.volume_mm3);
     const Vec3 size = bounding_box(vertices).size();
     m.length_mm = size.y;
     m.width_mm = size.x;

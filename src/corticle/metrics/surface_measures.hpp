@@ -15,8 +15,12 @@ struct SurfaceMeasures
     double volume_mm3 = 0.0;
     double area_per_volume = 0.0; ///< [1/mm]
     double hull_area_mm2 = 0.0;
-    double gi_hull = 0.0;   ///< gyrification index: area over the area of the convex hull
-    double gi_sphere = 0.0; ///< gyrification index: area over the area of the sphere of equal volume
+    double gi_hull = 0.0;         ///< gyrification index: area over the area of the convex hull
+    double gi_sphere = 0.0;       ///< gyrification index: area over the area of the sphere of equal volume
+    double curved_area_mm2 = 0.0; ///< see curved_size(); so are the next
+    double curved_volume_mm3 = 0.0;
+    double curved_gi_hull = 0.0; ///< over the same hull
+    double curved_gi_sphere = 0.0;
     double length_mm = 0.0; ///< extent along y, from back to front where x points to the right
     double width_mm = 0.0;  ///< extent along x
     double height_mm = 0.0; ///< extent along z
