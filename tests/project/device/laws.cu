@@ -26,6 +26,11 @@ struct Particle
     BasicVec3<Real> normal;
     tlsph::ParticleReference<Real> reference;
     tlsph::DeformationSums<Real> sums;
+    BasicVec3<Real> X;
+    BasicVec3<Real> x;
+    tlsph::BasicEnrichedTerms<Real> enriched_sums;
+    BasicVec3<Real> enriched_moment;
+    BasicMat3<Real> Q;
     tlsph::ParticleResponse<Real> response;
 };
 
@@ -34,7 +39,11 @@ __global__ void respond_on_device(material::TissueOptions tissue, double t, Part
 {
     Particle<Real>& particle = particles[0];
     const auto point = material::material_point(tissue, particle.theta, broadcast<Real>(1.0), t);
-    const auto deformation = tlsph::particle_deformation(particle.sums, particle.reference.correction);
+    const auto linear_F = particle.sums.moment * particle.reference.correction;
+    const auto products = tlsph::enriched_moment(particle.enriched_sums, particle.X, particle.x, particle.normal,
+                                                 particle.enriched_moment);
+    const auto F = particle.sums.moment * transpose(particle.reference.gradient) + products * transpose(particle.Q);
+    const auto deformation = tlsph::particle_deformation(F, linear_F);
     particle.response = tlsph::particle_response<false>(material::NeoHookean{tissue.barrier_J}, point, particle.normal,
                                                  particle.reference, particle.sums, deformation);
 }

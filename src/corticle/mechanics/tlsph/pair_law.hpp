@@ -3,8 +3,6 @@
 
 #include "corticle/base/mat3.hpp"
 
-#include <vector>
-
 // What pairs contribute to F and to the forces, and what the sums over the neighbours of one particle (pair_sums.hpp)
 // give. Neither threads nor materials are known here. Symbols as in docs/theory/tlsph.md.
 //
@@ -44,13 +42,6 @@ struct BasicEnrichedTerms
     BasicProductTerms<Real> products;
 };
 using EnrichedTerms = BasicEnrichedTerms<double>;
-
-/// Scratch memory: what the particles that a block reads contribute.
-struct BlockTerms
-{
-    std::vector<PairTerms> linear;
-    std::vector<ProductTerms> products; ///< where they are needed
-};
 
 /// Writes T_abc = (A_ab v_c + A_ac v_b) / 2.
 CORTICLE_INLINE void set_products(const Mat3& A, const Vec3& v, PairTerms& linear, ProductTerms& products)

@@ -6,11 +6,19 @@
 #include "corticle/mechanics/tlsph/pair_law.hpp"
 
 #include <algorithm>
+#include <vector>
 
 // The innermost loop of the program.
 
 namespace corticle::tlsph
 {
+
+/// Scratch memory: what the particles that a block reads contribute.
+struct BlockTerms
+{
+    std::vector<PairTerms> linear;
+    std::vector<ProductTerms> products; ///< where they are needed
+};
 
 /// Doubles in memory, as many as a register holds. Compilers keep wider vectors that go from one round of a loop to the
 /// next in memory, which costs ten times the sum: this loop has its width chosen for each instruction set.

@@ -4,7 +4,7 @@
 #include "corticle/base/parallel.hpp"
 #include "corticle/material/tissue.hpp"
 #include "corticle/mechanics/discretization.hpp"
-#include "corticle/mechanics/tlsph/pair_law.hpp"
+#include "corticle/mechanics/tlsph/pair_sums.hpp"
 #include "corticle/mechanics/tlsph/particles.hpp"
 
 #include <memory>
