@@ -45,10 +45,9 @@ Cloud fill_surface(const TriangleMesh& surface, const CloudOptions& options)
     const std::vector<Vec3> inside = scatter_inside(tree, inside_count, options);
     points.insert(points.end(), inside.begin(), inside.end());
     relax_inside(tree, options, points);
-    constexpr double lines_per_spacing = 6.0;
     const double largest = options.grading.is_uniform() ? options.spacing : options.grading.ratio * options.spacing;
     Cloud cloud =
-        ordered_cloud(points, cells_of(surface, points, options.spacing, lines_per_spacing, largest), surface);
+        ordered_cloud(points, cells_of(surface, points, options.spacing, usual_lines_per_spacing, largest), surface);
     if (!options.grading.is_uniform())
     {
         cloud.spacing = options.spacing;

@@ -102,13 +102,13 @@ Neighbors find_pairs_within(std::span<const Vec3> positions, std::span<const dou
 Neighbors find_neighbors(const Cloud& cloud, const geometry::SurfaceTree& surface, double support,
                          VisibilityReport* report)
 {
-    std::vector<double> supports;
-    for (std::size_t i = 0; i < cloud.positions.size(); ++i)
+    std::vector<double> supports(cloud.positions.size(), support);
+    for (std::size_t i = 0; i < cloud.local_spacing.size(); ++i)
     {
-        supports.push_back(support / cloud.spacing * cloud.spacing_at(i));
+        supports[i] = support / cloud.spacing * cloud.local_spacing[i];
     }
-    const Neighbors pairs = cloud.local_spacing.empty() ? find_pairs_within(cloud.positions, support)
-                                                        : find_pairs_within(cloud.positions, supports);
+    require_positive("support of the neighbours [mm]", support);
+    const Neighbors pairs = find_pairs_within(cloud.positions, supports);
     const Visibility visibility(cloud, surface, support / cloud.spacing * cloud.largest_spacing());
     const auto count = static_cast<std::int64_t>(cloud.positions.size());
     std::vector<char> keep(pairs.index.size(), 1);

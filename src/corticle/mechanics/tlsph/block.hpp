@@ -79,6 +79,15 @@ struct GroupDeformation
     ParticleDeformation<WideLanes> deformation;
 };
 
+/// Eight particles in the reference configuration, their gradients linear.
+CORTICLE_INLINE ParticleReference<WideLanes> linear_reference(const Particles& particles, const WideGroup& group)
+{
+    const WideMat3 correction =
+        group.gather_matrices([&](std::int64_t i) -> const Mat3& { return particles.correction[i]; });
+    return {group.gather(particles.volume.data()), correction, correction, gather(group, particles.weighted_sum.data()),
+            particles.options.zeta};
+}
+
 /// Of eight particles whose gradients are all linear.
 CORTICLE_INLINE GroupDeformation linear_deformation(const Block& block, const Vec3* x, const WideGroup& group,
                                                     const BlockTerms& terms)
@@ -94,12 +103,7 @@ CORTICLE_INLINE GroupDeformation linear_deformation(const Block& block, const Ve
         among.gather_matrices([&](std::int64_t i) -> const Mat3& { return sums[i].matrix; }),
         among.gather_vectors([&](std::int64_t i) -> const Vec3& { return sums[i].vector; })};
     GroupDeformation result;
-    result.reference.volume = group.gather(particles.volume.data());
-    result.reference.zeta = particles.options.zeta;
-    result.reference.weighted_sum = gather(group, particles.weighted_sum.data());
-    result.reference.correction =
-        group.gather_matrices([&](std::int64_t i) -> const Mat3& { return particles.correction[i]; });
-    result.reference.gradient = result.reference.correction;
+    result.reference = linear_reference(particles, group);
     result.sums = deformation_sums(sum, gather(group, particles.X.data()) - broadcast(block.X_origin),
                                    gather(group, x) - broadcast(block.x_origin), result.reference.weighted_sum);
     const WideMat3 F = result.sums.moment * result.reference.correction;
@@ -146,11 +150,7 @@ CORTICLE_INLINE GroupDeformation enriched_deformation(const Block& block, const 
     const WideVec3 X = gather(group, particles.X.data()) - broadcast(block.X_origin);
     const WideVec3 now = gather(group, x) - broadcast(block.x_origin);
     GroupDeformation result;
-    result.reference.volume = group.gather(particles.volume.data());
-    result.reference.zeta = particles.options.zeta;
-    result.reference.weighted_sum = gather(group, particles.weighted_sum.data());
-    result.reference.correction =
-        group.gather_matrices([&](std::int64_t i) -> const Mat3& { return particles.correction[i]; });
+    result.reference = linear_reference(particles, group);
     result.reference.gradient = at.gather_matrices([&](std::int64_t i) -> const Mat3& { return gradient[i].B; });
     result.sums = deformation_sums(sum.linear, X, now, result.reference.weighted_sum);
     const WideMat3 products = enriched_moment(sum, X, now, enrichment.normal, enrichment.moment);

@@ -7,6 +7,7 @@
 #include <Eigen/Cholesky>
 
 #include <algorithm>
+#include <utility>
 
 namespace corticle::tlsph
 {
@@ -152,6 +153,35 @@ std::vector<Reach> reaches(const PairBlocks& pairs, const std::vector<Vec3>& nor
     return reach;
 }
 
+/// Moves the pairs whose neighbour is enriched to the front of those of their particle, in their order.
+void put_enriched_first(const std::vector<Reach>& reach, PairBlocks& pairs)
+{
+    parallel_for(std::ssize(reach),
+                 [&](std::int64_t i)
+                 {
+                     std::vector<std::pair<std::uint16_t, float>> others;
+                     std::int64_t end = pairs.begin[i];
+                     for (std::int64_t k = pairs.begin[i]; k < pairs.begin[i + 1]; ++k)
+                     {
+                         if (reach[pairs.neighbor(i, k)] == Reach::itself)
+                         {
+                             pairs.place[end] = pairs.place[k];
+                             pairs.weight[end++] = pairs.weight[k];
+                         }
+                         else
+                         {
+                             others.emplace_back(pairs.place[k], pairs.weight[k]);
+                         }
+                     }
+                     pairs.enriched_end[i] = end;
+                     for (const auto& [place, weight] : others)
+                     {
+                         pairs.place[end] = place;
+                         pairs.weight[end++] = weight;
+                     }
+                 });
+}
+
 } // namespace
 
 Reach EnrichedGradients::farthest(std::int64_t begin, std::int64_t end) const
@@ -192,7 +222,7 @@ EnrichedGradients enrich_gradients(const Cloud& cloud, const LargeVector<Mat3>& 
                                  : EnrichedGradient{correction[i], {}, {}, {}};
                      }
                  });
-    put_enriched_first(pairs, [&](std::int32_t j) { return result.reach[j] == Reach::itself; });
+    put_enriched_first(result.reach, pairs);
     return result;
 }
 

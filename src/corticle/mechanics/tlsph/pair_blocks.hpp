@@ -2,12 +2,10 @@
 #pragma once
 
 #include "corticle/base/large_pages.hpp"
-#include "corticle/base/parallel.hpp"
 #include "corticle/mesh/neighbor_list.hpp"
 
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace corticle::tlsph
@@ -42,36 +40,5 @@ struct PairBlocks
 
 /// Cuts into blocks of 1024 particles, or of fewer where a table would not be addressed by 2 bytes. Weights are zero.
 PairBlocks make_pair_blocks(const Neighbors& neighbors);
-
-/// Moves the pairs whose neighbour is enriched to the front of those of their particle, in their order.
-/// @param enriched  whether a particle is
-template <class Enriched>
-void put_enriched_first(PairBlocks& pairs, const Enriched& enriched)
-{
-    parallel_for(std::ssize(pairs.enriched_end),
-                 [&](std::int64_t i)
-                 {
-                     std::vector<std::pair<std::uint16_t, float>> others;
-                     std::int64_t end = pairs.begin[i];
-                     for (std::int64_t k = pairs.begin[i]; k < pairs.begin[i + 1]; ++k)
-                     {
-                         if (enriched(pairs.neighbor(i, k)))
-                         {
-                             pairs.place[end] = pairs.place[k];
-                             pairs.weight[end++] = pairs.weight[k];
-                         }
-                         else
-                         {
-                             others.emplace_back(pairs.place[k], pairs.weight[k]);
-                         }
-                     }
-                     pairs.enriched_end[i] = end;
-                     for (const auto& [place, weight] : others)
-                     {
-                         pairs.place[end] = place;
-                         pairs.weight[end++] = weight;
-                     }
-                 });
-}
 
 } // namespace corticle::tlsph
