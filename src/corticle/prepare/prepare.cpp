@@ -174,7 +174,8 @@ void complete_tissue(const PreparationOptions& options, std::span<const Vec3> no
     }
 }
 
-void connect_particles(const PreparationOptions& options, Preparation& made)
+/// @param thickness  of the cortex [mm]
+void connect_particles(const PreparationOptions& options, double thickness, Preparation& made)
 {
     model::Model& model = made.model;
     const geometry::SurfaceTree tree(model.surface.vertices, model.surface.triangles);
@@ -184,7 +185,9 @@ void connect_particles(const PreparationOptions& options, Preparation& made)
                                 : cloud::find_neighbors(model.cloud, tree, support, &made.report.visibility);
     made.report.neighbors_mean =
         static_cast<double>(pairs.index.size()) / static_cast<double>(model.cloud.positions.size());
-    model.particles = tlsph::make_particles(model.cloud, pairs, options.tlsph);
+    tlsph::TlsphOptions method = options.tlsph;
+    method.zeta *= tlsph::control_of_fine_clouds(thickness / model.cloud.spacing);
+    model.particles = tlsph::make_particles(model.cloud, pairs, method);
 }
 
 /// Where the cortex is `thickness` thick by the case, in the reference state at growth time t [mm].
@@ -335,7 +338,7 @@ void connect_body(const PreparationOptions& options, Preparation& made)
     }
     else
     {
-        connect_particles(options, made);
+        connect_particles(options, mean, made);
     }
     if (const std::string warning = size_warning(options, model); !warning.empty())
     {

@@ -26,7 +26,7 @@ using Reach = EnrichedGradients::Reach;
 // surface cost the zero-energy control its hold on a surface that crumples (docs/decisions/enriched-gradient.md).
 constexpr double along_normal = 0.05;
 constexpr double across_normal = 1e-3;
-constexpr double tangential = 0.25;
+constexpr double tangential = 0.5;
 constexpr double agreement = 0.5; ///< least length of the mean of the normals in reach: below, they face each other
 
 /// Normals of the surface at its particles, weighted by area; zero elsewhere.
