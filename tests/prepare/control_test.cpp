@@ -24,12 +24,13 @@ double control(double spacings)
     return model.particles.options.zeta / options.tlsph.zeta;
 }
 
-TEST(ZeroEnergyControl, IsStrongerInCloudsOfMoreThanThreeSpacingsThroughTheCortex)
+TEST(ZeroEnergyControl, IsStrongerInCoarseAndInFineClouds)
 {
-    EXPECT_EQ(control(2.0), 1.0);
-    EXPECT_EQ(control(2.9), 1.0);
-    EXPECT_NEAR(control(3.6), std::pow(1.2, 4), 0.02);
-    EXPECT_EQ(control(4.9), 5.0);
+    EXPECT_NEAR(control(1.5), 4.0, 0.02);
+    EXPECT_EQ(control(3.1), 1.0);
+    EXPECT_EQ(control(4.0), 1.0);
+    EXPECT_NEAR(control(4.92), std::pow(1.2, 4), 0.02);
+    EXPECT_EQ(control(6.5), 5.0);
 }
 
 } // namespace

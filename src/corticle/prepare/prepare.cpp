@@ -174,6 +174,17 @@ void complete_tissue(const PreparationOptions& options, std::span<const Vec3> no
     }
 }
 
+/// How much stronger than solver.zeta the zero-energy control is (docs/decisions/zero-energy-control.md). A fine cloud
+/// crumples where a free surface is compressed beyond Biot's strain, and one that resolves the cortex poorly is soft:
+/// it folds early. @param spacings  through the cortex
+double control_of(double spacings)
+{
+    constexpr double coarse = 3.0;
+    constexpr double fine = 4.1;
+    constexpr double most = 5.0;
+    return std::min(std::pow(std::max(1.0, coarse / spacings), 2) * std::pow(std::max(1.0, spacings / fine), 4), most);
+}
+
 /// @param thickness  of the cortex [mm]
 void connect_particles(const PreparationOptions& options, double thickness, Preparation& made)
 {
@@ -186,7 +197,7 @@ void connect_particles(const PreparationOptions& options, double thickness, Prep
     made.report.neighbors_mean =
         static_cast<double>(pairs.index.size()) / static_cast<double>(model.cloud.positions.size());
     tlsph::TlsphOptions method = options.tlsph;
-    method.zeta *= tlsph::control_of_fine_clouds(thickness / model.cloud.spacing);
+    method.zeta *= control_of(thickness / model.cloud.spacing);
     model.particles = tlsph::make_particles(model.cloud, pairs, method);
 }
 
