@@ -11,7 +11,7 @@ COMMAND := build/release/bin/corticle
 MAKEFLAGS += --no-print-directory
 
 .NOTPARALLEL:
-.PHONY: fold command test build dev asan tsan validate validate-thesis bench format format-check lint setup setup-dev clean help
+.PHONY: fold command test build python python-docs dev asan tsan validate validate-thesis bench format format-check lint setup setup-dev setup-python clean help
 .DEFAULT_GOAL := help
 
 help: ## list the goals
@@ -20,14 +20,21 @@ help: ## list the goals
 fold: command ## set up, build the command, fold the sphere (or CASE=…, OUT=…); says where the pictures are
 	@$(PYTHON) scripts/fold.py --command $(COMMAND) --case $(CASE) --out $(OUT)
 
-test: build ## set up, build, run all tests
+test: build ## set up, build, run all tests, those of the Python package too
 	ctest --preset release --parallel $(JOBS)
+	@scripts/python.sh --test --if-possible
 
 command: setup build/release/.configured ## set up and build the command alone
 	cmake --build --preset release --parallel $(JOBS) --target corticle_command
 
 build: setup build/release/.configured ## set up and build the optimised version, tests and benchmarks
 	cmake --build --preset release --parallel $(JOBS)
+
+python: setup-python command ## build the Python package, install it into build/venv, run its tests
+	@scripts/python.sh --test
+
+python-docs: python ## write the reference of the Python package to build/api
+	build/venv/bin/python -m sphinx -W -q -b html docs/api build/api
 
 dev: setup build/dev/.configured ## build and test with assertions, warnings as errors
 	cmake --build --preset dev --parallel $(JOBS)
@@ -65,6 +72,9 @@ setup: ## install the Debian packages that are missing
 
 setup-dev:
 	@scripts/setup.sh --dev
+
+setup-python:
+	@scripts/setup.sh --python
 
 clean: ## delete what was built (runs/ is kept)
 	rm -rf build

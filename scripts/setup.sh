@@ -3,6 +3,7 @@
 # Installs what the build needs and is not there. Quick when nothing is missing.
 #   scripts/setup.sh          to build, run and test
 #   scripts/setup.sh --dev    also clang, clang-tidy and clang's OpenMP (make lint, make tsan)
+#   scripts/setup.sh --python also what builds and tests the Python package (make python)
 set -euo pipefail
 
 packages=(
@@ -13,6 +14,10 @@ packages=(
     libgtest-dev libgmock-dev libbenchmark-dev clang-format
 )
 [[ ${1:-} == --dev ]] && packages+=(clang clang-tidy libomp-dev)
+[[ ${1:-} == --python ]] && packages+=(
+    pybind11-dev python3-pybind11 python3-dev python3-venv python3-pip python3-setuptools python3-wheel python3-numpy
+    python3-pytest python3-pandas python3-meshio python3-matplotlib python3-vtk9 python3-tqdm python3-sphinx mypy
+)
 
 say() { echo "setup: $*" >&2; }
 

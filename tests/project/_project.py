@@ -5,7 +5,7 @@ import argparse
 import sys
 from pathlib import Path
 
-CODE_FOLDERS = ("src", "apps", "tests", "benchmarks")
+CODE_FOLDERS = ("src", "apps", "python", "tests", "benchmarks")
 SKIPPED = 77
 
 

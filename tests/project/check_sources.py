@@ -13,7 +13,7 @@ MAY_KNOW_THREADS = ("src/corticle/base/parallel.hpp",)
 
 def other_sources(source):
     """Scripts and build files: they too name their licence and stay short."""
-    folders = ("scripts", "tests", "validation", "benchmarks", "apps", "src")
+    folders = ("scripts", "tests", "validation", "benchmarks", "apps", "src", "python", "examples")
     found = [path for folder in folders for path in (source / folder).rglob("*")]
     chosen = [path for path in found if path.suffix in (".py", ".sh", ".cmake") or path.name == "CMakeLists.txt"]
     return sorted(chosen) + [source / "CMakeLists.txt", source / "Makefile"]

@@ -31,13 +31,12 @@ class CaseReader
 {
   public:
     void read_text(std::string_view text, const std::string& name, const fs::path& base_directory);
-    void read_overrides(std::span<const std::string> overrides);
+    void read_overrides(std::span<const Override> overrides);
     Options finish();
 
   private:
     void assign_at(const std::string& key, const Value& value, const std::string& where, const fs::path& base);
     void forget(const std::string& key);
-    void override_one(const std::string& text);
     void settle_alternatives();
 
     Options options_;
@@ -129,7 +128,8 @@ void CaseReader::read_text(std::string_view text, const std::string& name, const
     }
 }
 
-void CaseReader::override_one(const std::string& text)
+/// "section.key=value" as it stands on the command line.
+Override parse_override(const std::string& text)
 {
     const auto equals = text.find('=');
     const std::string where = "--set " + printable(text);
@@ -143,9 +143,7 @@ void CaseReader::override_one(const std::string& text)
     {
         throw unknown_key_error(key, where);
     }
-    assign_at(key, override_value(*parameter, trimmed(std::string_view(text).substr(equals + 1))), where, "");
-    options_.inputs.erase(key); // of the file named before
-    overridden_.insert(key);
+    return {key, override_value(*parameter, trimmed(std::string_view(text).substr(equals + 1))), where};
 }
 
 /// Back to the value of a default-constructed Options.
@@ -200,11 +198,13 @@ void CaseReader::settle_alternatives()
     }
 }
 
-void CaseReader::read_overrides(std::span<const std::string> overrides)
+void CaseReader::read_overrides(std::span<const Override> overrides)
 {
-    for (const std::string& text : overrides)
+    for (const Override& given : overrides)
     {
-        override_one(text);
+        assign_at(given.key, given.value, given.where, "");
+        options_.inputs.erase(given.key); // of the file named before
+        overridden_.insert(given.key);
     }
     settle_alternatives();
 }
@@ -272,6 +272,14 @@ std::vector<std::string> differing(std::string_view resolved_a, std::string_view
 
 Options parse_case(std::string_view text, const std::string& name, std::span<const std::string> overrides,
                    const fs::path& base_directory)
+{
+    std::vector<Override> parsed;
+    std::ranges::transform(overrides, std::back_inserter(parsed), parse_override);
+    return parse_overridden_case(text, name, parsed, base_directory);
+}
+
+Options parse_overridden_case(std::string_view text, const std::string& name, std::span<const Override> overrides,
+                              const fs::path& base_directory)
 {
     CaseReader reader;
     reader.read_text(text, name, base_directory);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "corticle/config/options.hpp"
+#include "corticle/config/value.hpp"
 
 #include <span>
 #include <string_view>
@@ -17,6 +18,17 @@ Options read_case(const std::filesystem::path& file, std::span<const std::string
 /// The same from text; `name` is used in messages. (What the fuzz test drives.)
 Options parse_case(std::string_view text, const std::string& name, std::span<const std::string> overrides,
                    const std::filesystem::path& base_directory);
+
+/// A value that replaces what a case says of a key.
+struct Override
+{
+    std::string key; ///< "section.key"
+    Value value;
+    std::string where; ///< for messages: "--set geometry.particles=3"
+};
+/// parse_case with values as a program has them.
+Options parse_overridden_case(std::string_view text, const std::string& name, std::span<const Override> overrides,
+                              const std::filesystem::path& base_directory);
 
 /// The resolved case as TOML, every key with its value: what the run folder's case.toml and the checkpoint hold.
 /// read_case of it gives equal options. Ends with the checksums of Options::inputs, as an [inputs] table.

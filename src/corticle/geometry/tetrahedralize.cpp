@@ -6,6 +6,7 @@
 #include "corticle/geometry/tet_exchange.hpp"
 #include "corticle/mesh/sizes.hpp"
 
+#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,14 +30,22 @@ constexpr double size_per_node = 0.847; // size asked of HXT, over the cube root
 constexpr double tets_per_node = 6.297;
 constexpr double tets_less_per_vertex = 3.42; // of the surface
 
-/// The program that meshes: where the environment says, or beside this one.
+/// The program that meshes: where the environment says, beside this one, or beside the library that this code is in.
 fs::path program()
 {
+    constexpr const char* name = "corticle-tetrahedralize";
     if (const char* named = std::getenv("CORTICLE_TETRAHEDRALIZE"))
     {
         return named;
     }
-    return fs::read_symlink("/proc/self/exe").parent_path() / "corticle-tetrahedralize";
+    const fs::path beside = fs::read_symlink("/proc/self/exe").parent_path() / name;
+    Dl_info library{};
+    std::error_code error;
+    if (fs::exists(beside, error) || dladdr(reinterpret_cast<const void*>(&program), &library) == 0)
+    {
+        return beside;
+    }
+    return fs::absolute(library.dli_fname).parent_path() / name;
 }
 
 TetRequest request_for(const TriangleMesh& surface, double size)

@@ -82,7 +82,16 @@ Simulation::Simulation(std::shared_ptr<const Model> model, const SimulationOptio
 void Simulation::add_term(std::unique_ptr<mechanics::ForceTerm> term)
 {
     terms_.push_back(std::move(term));
-    start();
+    try
+    {
+        start();
+    }
+    catch (...)
+    {
+        terms_.pop_back();
+        stable_steps_.resize(terms_.size());
+        throw;
+    }
 }
 
 void Simulation::restore(State state)
@@ -135,6 +144,13 @@ void Simulation::step(double t_stop)
         state_->step_scale *= 0.5;
         ++state_->rejected_steps;
     }
+}
+
+std::vector<Vec3> Simulation::hand_over_positions()
+{
+    std::vector<Vec3> positions = std::move(state_->motion.x);
+    state_->motion.x = positions;
+    return positions;
 }
 
 /// Where a step from the present state leads; nothing where it inverts a particle on the way.
@@ -246,7 +262,8 @@ void Simulation::give_up(const dynamics::Motion& motion, double t, double dt) co
         diagnosis = diagnosis.empty() ? term->diagnosis(trial_sum_.invalid_at, motion.x) : diagnosis;
     }
     throw RunError(fmt::format("inverted at step {}, t = {:.6g}, after {} halvings of the step (dt/T = {:.3g}): {}",
-                               state_->steps + 1, t, options_->dynamics.max_halvings, dt / total_time_, diagnosis));
+                               state_->steps + 1, t, options_->dynamics.max_halvings, dt / total_time_, diagnosis),
+                   {state_->steps + 1, t, trial_sum_.invalid_at});
 }
 
 /// Refuses a step so small that the run would not end: a crushed particle, or steps taken back again and again.
@@ -259,7 +276,8 @@ void Simulation::require_step(double dt) const
     throw RunError(fmt::format("the step has collapsed at step {}, t = {:.6g}: dt/T = {:.3g}, at rest {:.3g}; {} steps "
                                "taken back so far, the next one {:.3g} of what the stiffness allows; {}",
                                state_->steps + 1, state_->t, dt / total_time_, rest_dt_ / total_time_,
-                               state_->rejected_steps, state_->step_scale, cause_of_short_step()));
+                               state_->rejected_steps, state_->step_scale, cause_of_short_step()),
+                   {state_->steps + 1, state_->t});
 }
 
 /// What makes the step short, as the term says without which it would be long enough; where no term is, the tissue.

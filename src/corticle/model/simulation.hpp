@@ -24,7 +24,7 @@ class Simulation
     /// Several simulations may share a model.
     Simulation(std::shared_ptr<const Model> model, const SimulationOptions& options);
 
-    /// One more force on the nodes, from the present state on.
+    /// One more force on the nodes, from the present state on. What the force throws there leaves it out again.
     void add_term(std::unique_ptr<mechanics::ForceTerm> term);
 
     /// Starts from a state read from a checkpoint. @throws InputError where it is that of another body
@@ -34,6 +34,10 @@ class Simulation
     /// @throws RunError with the diagnosis (step, t, particle, position, F, J, neighbours) when halving does not help,
     /// or when what the state allows has collapsed to next to nothing
     void step(double t_stop);
+
+    /// The positions in the memory they are in now; the simulation goes on with a copy. For those who look at the
+    /// positions without copying them, and want what they see to stay as it is.
+    std::vector<Vec3> hand_over_positions();
 
     const Model& model() const { return *model_; }
     const SimulationOptions& options() const { return *options_; }

@@ -18,10 +18,11 @@
 #include "corticle/view/pictures.hpp"
 
 #include <fmt/format.h>
+#include <spdlog/sinks/base_sink.h>
 #include <spdlog/sinks/basic_file_sink.h>
-#include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <cstdio>
 #include <future>
 
 namespace corticle::study
@@ -32,14 +33,29 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// run.log gets everything; the terminal gets warnings.
-std::shared_ptr<spdlog::logger> make_log(const fs::path& folder, bool quiet)
+/// Hands the lines of a log to a function.
+class LineSink final : public spdlog::sinks::base_sink<std::mutex>
 {
-    auto file = std::make_shared<spdlog::sinks::basic_file_sink_mt>((folder / "run.log").string());
-    auto terminal = std::make_shared<spdlog::sinks::stderr_sink_mt>();
-    terminal->set_level(quiet ? spdlog::level::off : spdlog::level::warn);
-    terminal->set_pattern("corticle: %l: %v");
-    auto log = std::make_shared<spdlog::logger>("run", spdlog::sinks_init_list{file, terminal});
+  public:
+    explicit LineSink(std::function<void(const std::string&)> take) : take_(std::move(take)) {}
+
+  private:
+    void sink_it_(const spdlog::details::log_msg& line) override { take_(fmt::to_string(line.payload)); }
+    void flush_() override {}
+
+    std::function<void(const std::string&)> take_;
+};
+
+/// run.log gets everything; who runs the case hears of warnings.
+std::shared_ptr<spdlog::logger> make_log(const fs::path& folder, const RunHost& host)
+{
+    auto log = std::make_shared<spdlog::logger>(
+        "run", std::make_shared<spdlog::sinks::basic_file_sink_mt>((folder / "run.log").string()));
+    if (host.warn)
+    {
+        log->sinks().push_back(std::make_shared<LineSink>(host.warn));
+        log->sinks().back()->set_level(spdlog::level::warn);
+    }
     log->flush_on(spdlog::level::info);
     return log;
 }
@@ -54,10 +70,11 @@ struct Start
     std::string no_pictures; ///< why pictures that were asked for are not drawn
 };
 
-Start prepare_start(const record::RunRequest& request, std::optional<record::Checkpoint> checkpoint)
+Start prepare_start(const record::RunRequest& request, bool draws, std::optional<record::Checkpoint> checkpoint)
 {
     Start start;
-    start.draws = request.options.output.pictures == config::PictureRule::on && view::can_render(start.no_pictures);
+    start.draws =
+        draws && request.options.output.pictures == config::PictureRule::on && view::can_render(start.no_pictures);
     start.made = request.body.empty() ? prepare::arrange_body(request.options)
                                       : record::read_body(request.body, request.options);
     // The renderer gets ready while the body is connected.
@@ -196,7 +213,7 @@ struct Observers
     {
     }
 
-    model::RunStatus watch(model::Simulation& simulation, const record::RunRequest& request)
+    model::RunStatus watch(model::Simulation& simulation, const record::RunRequest& request, const RunHost& host)
     {
         record::Progress progress(simulation, request.options.time.end, request.quiet);
         std::vector<model::Observer*> all{&progress, &measuring, &recorder};
@@ -205,8 +222,9 @@ struct Observers
             all.push_back(&pictures);
         }
         all.push_back(&checkpointer);
+        all.insert(all.end(), host.observers.begin(), host.observers.end());
         return model::fold(simulation, times_left(request.options, measuring.rows()), measuring.rows().size(), all,
-                           &InterruptionGuard::requested);
+                           host.stop);
     }
 
     metrics::Measuring measuring;
@@ -217,7 +235,8 @@ struct Observers
 };
 
 /// From the start, or from where it was left, to the end or an interruption. What fails is recorded.
-model::RunStatus record_run(const record::RunRequest& request, Start& start, Observers& observers, spdlog::logger& log)
+model::RunStatus record_run(const record::RunRequest& request, const RunHost& host, Start& start, Observers& observers,
+                            spdlog::logger& log)
 {
     std::optional<model::Simulation> simulation;
     const auto fail = [&](const std::string& reason)
@@ -233,7 +252,7 @@ model::RunStatus record_run(const record::RunRequest& request, Start& start, Obs
             observers.recorder.resume(start.restored->state.steps);
             simulation->restore(std::move(start.restored->state));
         }
-        status = observers.watch(*simulation, request);
+        status = observers.watch(*simulation, request, host);
     }
     catch (const std::bad_alloc&)
     {
@@ -251,22 +270,35 @@ model::RunStatus record_run(const record::RunRequest& request, Start& start, Obs
 
 } // namespace
 
-model::RunStatus simulate(const record::RunRequest& request)
+model::RunStatus simulate(const record::RunRequest& request, const RunHost& host)
 {
     const record::Recorder::Clock::time_point began = record::Recorder::Clock::now();
     set_thread_count(request.threads);
     const std::string case_text = config::to_toml(request.options);
     record::ResultFolder folder(request.out, "run");
     record::require_usable_folder(folder, request);
-    Start start = prepare_start(request, record::find_checkpoint(request, case_text));
+    Start start = prepare_start(request, host.draws, record::find_checkpoint(request, case_text));
     const std::string versions = record::versions_after(start.earlier_versions);
 
-    const InterruptionGuard guard;
+    host.opened();
     open_folder(folder, request, case_text, start.restored.has_value());
-    const auto log = make_log(request.out, request.quiet);
+    const auto log = make_log(request.out, host);
     log_start(*log, request, start, versions);
     Observers observers(request, start, folder, versions, log, began);
-    return record_run(request, start, observers, *log);
+    return record_run(request, host, start, observers, *log);
+}
+
+model::RunStatus simulate(const record::RunRequest& request)
+{
+    std::optional<InterruptionGuard> guard; // until then a signal ends the process at once
+    RunHost host;
+    host.stop = &InterruptionGuard::requested;
+    host.opened = [&] { guard.emplace(); };
+    if (!request.quiet)
+    {
+        host.warn = [](const std::string& line) { std::fprintf(stderr, "corticle: warning: %s\n", line.c_str()); };
+    }
+    return simulate(request, host);
 }
 
 } // namespace corticle::study

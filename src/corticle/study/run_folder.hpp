@@ -6,13 +6,28 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
+#include <vector>
 
 namespace corticle::study
 {
 
+/// The program that a run is part of.
+struct RunHost
+{
+    std::function<bool()> stop = [] { return false; }; ///< asked after every step; true interrupts the run
+    std::function<void()> opened = [] {};              ///< called when the run folder is about to be written
+    std::function<void(const std::string&)> warn = {}; ///< hears of warnings, one line each; run.log has them too
+    std::vector<model::Observer*> observers = {};      ///< called after those that write the run folder
+    bool draws = true;                                 ///< whether pictures may be drawn, which needs a display
+};
+
 /// Runs a case into its run folder: frames, measures, pictures, checkpoints, summary.
 /// @throws InputError before anything is written; RunError after, with the diagnosis; the last good checkpoint is kept
+model::RunStatus simulate(const record::RunRequest& request, const RunHost& host);
+
+/// The same as a command: warnings go to stderr, and signals that ask the process to end interrupt the run.
 model::RunStatus simulate(const record::RunRequest& request);
 
 /// What a run would take, without running it.

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sections of a case, with an attribute for every key: made from the one table of parameters.
+
+`sections.pyi` says the same to type checkers; `python -m corticle.sections` prints it, from the same table.
+"""
+
+from corticle import _corticle
+
+_TYPES = {"bool": "bool", "int": "int", "float": "float", "str": "str", "list": "Sequence[float]", "integers": "Sequence[int]"}
+
+
+def _split(key):
+    return key.split(".", 1)
+
+
+class Section:
+    """The keys of one section of a case. To set one checks it; to delete one takes back what was set."""
+
+    __slots__ = ("_case",)
+    _name = ""
+    _keys = ()
+
+    def __init__(self, case):
+        object.__setattr__(self, "_case", case)
+
+    def __setattr__(self, name, value):
+        self._case[f"{self._name}.{name}"] = value
+
+    def __delattr__(self, name):
+        del self._case[f"{self._name}.{name}"]
+
+    def __getattr__(self, name):
+        if name.startswith("__"):
+            raise AttributeError(name)
+        try:
+            return self._case[f"{self._name}.{name}"]
+        except ValueError as error:
+            raise AttributeError(str(error)) from None
+
+    def __dir__(self):
+        return [*super().__dir__(), *self._keys]
+
+    def __repr__(self):
+        return "\n".join([f"[{self._name}]", *(f"{name} = {getattr(self, name)!r}" for name in self._keys)])
+
+
+def _key(row):
+    """The attribute of a key, with its documentation."""
+    key = row["key"]
+    expected = row["expected"] + ("" if row["default"] is None else f"; by default {row['default']!r}")
+    return property(lambda self: self._case[key], lambda self, value: self._case.__setitem__(key, value),
+                    lambda self: self._case.__delitem__(key), f"{row['sentence']} Expected: {expected}.")
+
+
+def _sections():
+    rows = {}
+    for row in _corticle.parameters():
+        rows.setdefault(_split(row["key"])[0], []).append(row)
+    return rows
+
+
+def _section_class(name, rows):
+    keys = {_split(row["key"])[1]: _key(row) for row in rows}
+    members = {"__slots__": (), "__doc__": f"The keys of [{name}].", "_name": name, "_keys": tuple(keys), **keys}
+    return type(name.capitalize(), (Section,), members)
+
+
+SECTIONS = {name: _section_class(name, rows) for name, rows in _sections().items()}
+globals().update({made.__name__: made for made in SECTIONS.values()})
+
+
+class Sections:
+    """What has a section of every name as an attribute."""
+
+    def __init__(self):
+        for name, made in SECTIONS.items():
+            object.__setattr__(self, name, made(self))
+
+
+def _type_of(row):
+    read = _TYPES.get(row["kind"], "str")
+    return f"Optional[{read}]" if row["default"] is None else read
+
+
+def _stub_of_key(row):
+    name = _split(row["key"])[1]
+    return [f"    @property\n    def {name}(self) -> {_type_of(row)}: ...",
+            f"    @{name}.setter\n    def {name}(self, value: {_type_of(row)}) -> None: ...",
+            f"    @{name}.deleter\n    def {name}(self) -> None: ..."]
+
+
+def stub():
+    """The text of sections.pyi."""
+    lines = ["# SPDX-License-Identifier: GPL-3.0-or-later",
+             "# Made by `python -m corticle.sections > python/corticle/sections.pyi`; a test says when that is due.",
+             "from typing import Any, Optional, Sequence", "",
+             "class Section:", "    def __init__(self, case: Any) -> None: ...", ""]
+    for name, rows in _sections().items():
+        lines.append(f"class {name.capitalize()}(Section):")
+        for row in rows:
+            lines += _stub_of_key(row)
+        lines.append("")
+    lines += ["class Sections:", "    def __init__(self) -> None: ..."]
+    lines += [f"    {name}: {name.capitalize()}" for name in _sections()]
+    return "\n".join(lines) + "\n"
+
+
+if __name__ == "__main__":
+    print(stub(), end="")
