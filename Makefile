@@ -11,7 +11,7 @@ COMMAND := build/release/bin/corticle
 MAKEFLAGS += --no-print-directory
 
 .NOTPARALLEL:
-.PHONY: fold command test build python python-docs dev asan tsan validate validate-thesis bench format format-check lint setup setup-dev setup-python clean help
+.PHONY: fold command test build python python-docs dev asan tsan validate validate-thesis bench format format-check lint setup setup-tests setup-dev setup-python clean help
 .DEFAULT_GOAL := help
 
 help: ## list the goals
@@ -20,7 +20,7 @@ help: ## list the goals
 fold: command ## set up, build the command, fold the sphere (or CASE=…, OUT=…); says where the pictures are
 	@$(PYTHON) scripts/fold.py --command $(COMMAND) --case $(CASE) --out $(OUT)
 
-test: build ## set up, build, run all tests, those of the Python package too
+test: setup-tests build ## set up, build, run all tests, those of the Python package too
 	ctest --preset release --parallel $(JOBS)
 	@scripts/python.sh --test --if-possible
 
@@ -36,11 +36,11 @@ python: setup-python command ## build the Python package, install it into build/
 python-docs: python ## write the reference of the Python package to build/api
 	build/venv/bin/python -m sphinx -W -q -b html docs/api build/api
 
-dev: setup build/dev/.configured ## build and test with assertions, warnings as errors
+dev: setup-tests build/dev/.configured ## build and test with assertions, warnings as errors
 	cmake --build --preset dev --parallel $(JOBS)
 	ctest --preset dev --parallel $(JOBS)
 
-asan: setup build/asan/.configured ## build and test with the address and undefined sanitizers
+asan: setup-tests build/asan/.configured ## build and test with the address and undefined sanitizers
 	cmake --build --preset asan --parallel $(JOBS)
 	ctest --preset asan --parallel $(JOBS)
 
@@ -69,6 +69,9 @@ lint: setup-dev build/dev/.configured ## clang-tidy over all sources
 
 setup: ## install the Debian packages that are missing
 	@scripts/setup.sh
+
+setup-tests:
+	@scripts/setup.sh --tests
 
 setup-dev:
 	@scripts/setup.sh --dev

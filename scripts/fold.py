@@ -108,13 +108,13 @@ def wait_for(run):
 
 
 def fold(command, case, out):
-    """Runs the command unless the run folder holds this very run; returns the exit status."""
+    """Runs the command unless the run folder holds this very run; returns the exit status, and whether it did."""
     stamp = Stamp(out)
     now = fingerprint(command, case)
     how = arguments_for(stamp, now, out)
     if how is None:
         print(f"{out} is complete and current (remove it to fold again)")
-        return 0
+        return 0, True
     arguments = [str(command), "run", str(case), "--out", str(out), *how]
     out.parent.mkdir(parents=True, exist_ok=True)
     is_there = (out / "case.toml").exists()
@@ -127,19 +127,20 @@ def fold(command, case, out):
         stamp.end(now)
     elif status == 2:
         print(f"fold: what {out} holds is not of make fold; choose another folder (make fold OUT=...)", file=sys.stderr)
-    return status
+    return status, False
 
 
-def report(out):
-    """Prints the headline measures and where to look."""
+def report(out, is_old):
+    """Prints where to look, and of a run that was there already the measures, with which the command ends itself."""
     summary = json.loads((out / "summary.json").read_text(encoding="utf-8"))
-    print(f"\n{out}: {summary.get('status', 'status unknown')}")
-    for key, form in MEASURES:
+    if is_old:
+        print(f"\n{out}: {summary.get('status', 'status unknown')}")
+    for key, form in MEASURES if is_old else ():
         value = summary.get(key)
         if value is not None:
             print(f"  {key:<20}{form.format(value)}")
     print("look at")
-    for pattern in ("pictures/*.png", "surface.pvd", "particles.pvd", "measures.csv", "summary.json", "run.log"):
+    for pattern in ("report.html", "pictures/*.png", "surface.pvd", "particles.pvd", "measures.csv", "summary.json", "run.log"):
         found = sorted(out.glob(pattern))
         if len(found) > 3:
             print(f"  {found[0]} … {found[-1].name} ({len(found)} files)")
@@ -158,11 +159,11 @@ def main():
         if not path.is_file():
             sys.exit(f"fold: there is no file {path}")
     try:
-        status = fold(arguments.command, arguments.case, arguments.out)
+        status, is_old = fold(arguments.command, arguments.case, arguments.out)
     except KeyboardInterrupt:
         sys.exit(130)
     if (arguments.out / "summary.json").is_file():
-        report(arguments.out)
+        report(arguments.out, is_old)
     sys.exit(status)
 
 

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Installs what the build needs and is not there. Quick when nothing is missing.
 #   scripts/setup.sh          to build, run and test
+#   scripts/setup.sh --tests  also node and Chromium, for tests of reports; where they cannot be had, these tests are skipped
 #   scripts/setup.sh --dev    also clang, clang-tidy and clang's OpenMP (make lint, make tsan)
 #   scripts/setup.sh --python also what builds and tests the Python package (make python)
 set -euo pipefail
@@ -12,12 +13,18 @@ packages=(
     libcgal-dev libeigen3-dev libgmsh-dev libhdf5-dev zlib1g-dev libssl-dev
     libtomlplusplus-dev libcli11-dev libspdlog-dev libfmt-dev nlohmann-json3-dev
     libgtest-dev libgmock-dev libbenchmark-dev clang-format
+    libjs-three # report.html
 )
 [[ ${1:-} == --dev ]] && packages+=(clang clang-tidy libomp-dev)
 [[ ${1:-} == --python ]] && packages+=(
     pybind11-dev python3-pybind11 python3-dev python3-venv python3-pip python3-setuptools python3-wheel python3-numpy
     python3-pytest python3-pandas python3-meshio python3-matplotlib python3-vtk9 python3-tqdm python3-sphinx mypy
 )
+wished=()
+if [[ ${1:-} == --tests ]]; then
+    command -v node >/dev/null || wished+=(nodejs)
+    command -v chromium >/dev/null || command -v chromium-browser >/dev/null || wished+=(chromium)
+fi
 
 say() { echo "setup: $*" >&2; }
 
@@ -39,22 +46,25 @@ list_missing() {
 }
 
 mapfile -t missing < <(list_missing)
-((${#missing[@]} == 0)) && exit 0
+((${#missing[@]} + ${#wished[@]} == 0)) && exit 0
 
-say "missing: ${missing[*]}"
+say "missing: ${missing[*]} ${wished[*]}"
 as_root=()
 if ((EUID != 0)); then
     if ! command -v sudo >/dev/null; then
-        say "cannot install them: not root, and there is no sudo. As root: apt-get install --no-install-recommends ${missing[*]}"
-        exit 1
+        say "cannot install them: not root, and there is no sudo. As root: apt-get install --no-install-recommends ${missing[*]} ${wished[*]}"
+        ((${#missing[@]})) && exit 1 || exit 0
     fi
     as_root=(sudo)
 fi
 
 apt() { "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o Dpkg::Use-Pty=0 -o Acquire::Retries=3 -qq "$@"; }
-say "installing them (libvtk9-dev brings some 800 MB; minutes the first time)"
+((${#missing[@]})) && say "installing them (libvtk9-dev brings some 800 MB; minutes the first time)"
 apt update </dev/null || say "apt-get update failed; trying with the package lists at hand"
 apt install -y --no-install-recommends "${missing[@]}" </dev/null >&2 || true
+for package in "${wished[@]}"; do
+    apt install -y --no-install-recommends "$package" </dev/null >&2 || say "no $package: tests of reports will be skipped"
+done
 
 mapfile -t missing < <(list_missing)
 if ((${#missing[@]})); then

@@ -3,6 +3,7 @@
 
 #include "corticle/prepare/options.hpp"
 #include "corticle/record/run_request.hpp"
+#include "corticle/report/report.hpp"
 #include "corticle/study/comparison.hpp"
 #include "corticle/study/export.hpp"
 #include "corticle/study/preparation_folder.hpp"
@@ -100,6 +101,8 @@ struct RenderArguments
     std::filesystem::path run_folder;
 };
 int render_command(const RenderArguments& arguments);
+
+int report_command(const report::ReportRequest& request);
 
 int export_command(const study::ExportRequest& request);
 

@@ -230,6 +230,21 @@ void add_render(CLI::App& app, Verb& chosen)
     verb->callback([arguments, &chosen] { chosen = [arguments] { return render_command(*arguments); }; });
 }
 
+void add_report(CLI::App& app, Verb& chosen)
+{
+    auto request = std::make_shared<report::ReportRequest>();
+    CLI::App* verb = app.add_subcommand("report", "Write report.html: one page for any browser, offline");
+    verb->add_option("folder", request->folder, "Folder of a run, a comparison or a sweep")
+        ->type_name("FOLDER")
+        ->required();
+    verb->add_option("--max-mb", request->megabytes,
+                     "Largest size of the page; output times, then vertices, are left out to keep it")
+        ->capture_default_str()
+        ->type_name("MB")
+        ->check(CLI::Range(2.0, 2000.0));
+    verb->callback([request, &chosen] { chosen = [request] { return report_command(*request); }; });
+}
+
 void add_export(CLI::App& app, Verb& chosen)
 {
     auto request = std::make_shared<study::ExportRequest>();
@@ -259,7 +274,7 @@ int dispatch(int argc, char** argv)
     app.footer("Exit status: 0 done, 2 bad usage or input, 3 the run failed, 130 interrupted.");
     Verb chosen;
     for (auto add : {add_run, add_sweep, add_prepare, add_new, add_check, add_schema, add_measure, add_compare,
-                     add_render, add_export})
+                     add_render, add_report, add_export})
     {
         add(app, chosen);
     }
@@ -278,7 +293,7 @@ int dispatch(int argc, char** argv)
         {
             return complain(
                 "unknown verb \"" + std::string(argv[1]) +
-                    "\", expected run, sweep, prepare, new, check, schema, measure, compare, render or export",
+                    "\", expected run, sweep, prepare, new, check, schema, measure, compare, render, report or export",
                 exit_status::bad_input);
         }
         return complain(std::string(error.what()) + " (`corticle --help` shows the usage)", exit_status::bad_input);

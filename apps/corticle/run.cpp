@@ -3,11 +3,42 @@
 
 #include "corticle/config/case_file.hpp"
 #include "corticle/config/case_inputs.hpp"
+#include "corticle/report/report.hpp"
+#include "corticle/report/run_ending.hpp"
 #include "corticle/study/interruption.hpp"
 #include "corticle/study/run_folder.hpp"
 
+#include <fmt/format.h>
+
+#include <cstdio>
+
 namespace corticle
 {
+
+namespace
+{
+
+/// The run is done whether or not it can be shown.
+void write_report(const record::RunRequest& request)
+{
+    if (request.options.output.report != config::PictureRule::on)
+    {
+        return;
+    }
+    try
+    {
+        report::write_report({request.out});
+    }
+    catch (const std::exception& error)
+    {
+        if (!request.quiet)
+        {
+            fmt::print(stderr, "corticle: warning: {}\n", error.what());
+        }
+    }
+}
+
+} // namespace
 
 int run_command(RunArguments arguments)
 {
@@ -24,7 +55,16 @@ int run_command(RunArguments arguments)
     {
         request.body /= "body.h5";
     }
-    return study::simulate(request) == model::RunStatus::completed ? exit_status::done : exit_status::interrupted;
+    if (study::simulate(request) != model::RunStatus::completed)
+    {
+        return exit_status::interrupted;
+    }
+    write_report(request);
+    if (!request.quiet)
+    {
+        fmt::print("{}", report::run_ending(request.out));
+    }
+    return exit_status::done;
 }
 
 } // namespace corticle

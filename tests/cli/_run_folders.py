@@ -15,7 +15,7 @@ def temporaries(folder):
 
 def contents(folder, volatile):
     """name -> what has to agree: the bytes, and of summary.json all keys but the volatile."""
-    left_out = {"run.log", *temporaries(folder)}
+    left_out = {"run.log", "report.html", *temporaries(folder)}  # both tell of wall times
     found = {}
     for path in sorted(path for path in folder.rglob("*") if path.is_file()):
         name = str(path.relative_to(folder))

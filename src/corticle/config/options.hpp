@@ -12,7 +12,7 @@
 namespace corticle::config
 {
 
-/// Whether pictures are drawn.
+/// Whether pictures are drawn, or a report written.
 enum class PictureRule
 {
     on,
@@ -25,7 +25,8 @@ struct OutputOptions
     std::vector<double> times; ///< instead of count
     std::vector<double> weeks; ///< instead of count, with a clock
     PictureRule pictures = PictureRule::on;
-    std::vector<double> picture_times; ///< output times that get pictures (the nearest); empty: the last
+    std::vector<double> picture_times;    ///< output times that get pictures (the nearest); empty: the last
+    PictureRule report = PictureRule::on; ///< report.html at the end of the run
     double checkpoint_minutes = 5.0;
 };
 

@@ -310,6 +310,8 @@ std::vector<Parameter> other_parameters()
         parameter("output.picture_times", "", between(0.0, 1.0),
                   "Output times that get pictures (the nearest), increasing; empty: the last.",
                   CORTICLE_MEMBER(output.picture_times)),
+        parameter("output.report", "", {}, "Whether report.html is written at the end of the run.",
+                  CORTICLE_MEMBER(output.report)),
         parameter("output.checkpoint_minutes", "min", above(0.0, 100000.0), "Wall time between checkpoints.",
                   CORTICLE_MEMBER(output.checkpoint_minutes)),
     };

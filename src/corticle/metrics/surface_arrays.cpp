@@ -89,10 +89,10 @@ SurfaceArrays surface_arrays(const model::OutputView& view)
 {
     const Cloud& cloud = view.model().cloud;
     const CarriedCloud carried{cloud.positions, view.state().motion.x, *view.F, cloud.spacing};
-    const std::vector<Vec3> inner =
+    std::vector<Vec3> inner =
         model::scaled(carried_points(carried, cortex_boundary(view.simulation)), view.scale.length);
     return {fold_fields(view.surface, view.triangles(), fold_options(view)),
-            cortical_thickness(view.surface, inner, view.triangles())};
+            cortical_thickness(view.surface, inner, view.triangles()), std::move(inner)};
 }
 
 ReferenceFolds reference_folds(const model::OutputView& view)

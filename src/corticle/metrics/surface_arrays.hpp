@@ -12,6 +12,7 @@ struct SurfaceArrays
 {
     FoldFields folds;
     std::vector<double> thickness; ///< of the cortex [mm]
+    std::vector<Vec3> boundary;    ///< of cortex and white matter: the point below each vertex [mm]
 };
 
 SurfaceArrays surface_arrays(const model::OutputView& view);

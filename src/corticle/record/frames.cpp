@@ -24,6 +24,36 @@ struct ParticleArrays
     std::vector<double> normal;       ///< 3 a particle
 };
 
+/// (3/2 s : s)^(1/2) of the deviator s of each stress [mu_w].
+std::vector<double> von_mises(std::span<const double> stress)
+{
+    std::vector<double> result(stress.size() / 9);
+    for (std::size_t i = 0; i < result.size(); ++i)
+    {
+        const std::span<const double> sigma = stress.subspan(9 * i, 9);
+        const double mean = (sigma[0] + sigma[4] + sigma[8]) / 3.0;
+        double squares = 0.0;
+        for (std::size_t k = 0; k < 9; ++k)
+        {
+            const double deviator = sigma[k] - (k % 4 == 0 ? mean : 0.0);
+            squares += deviator * deviator;
+        }
+        result[i] = std::sqrt(1.5 * squares);
+    }
+    return result;
+}
+
+std::vector<double> flattened(std::span<const Vec3> points)
+{
+    std::vector<double> numbers;
+    numbers.reserve(3 * points.size());
+    for (const Vec3& point : points)
+    {
+        numbers.insert(numbers.end(), {point.x, point.y, point.z});
+    }
+    return numbers;
+}
+
 double growth_at(const model::Simulation& simulation, std::size_t i)
 {
     return simulation.tissue().point(i, simulation.state().t).growth;
@@ -130,6 +160,8 @@ void write_frame(const std::filesystem::path& folder, const model::OutputView& v
     const std::vector<double> id(cloud.surface_particles.begin(), cloud.surface_particles.end());
     const std::vector<double> theta = surface_values(cloud, frame.theta);
     const std::vector<double> displacement = surface_values(cloud, a.displacement, 3);
+    const std::vector<double> stress = surface_values(cloud, von_mises(a.stress));
+    const std::vector<double> boundary = flattened(arrays.boundary);
     const metrics::Curvature& curvature = arrays.folds.curvature;
     const std::vector surface_fields{formats::Field{"J", 1, frame.surface_J},
                                      formats::Field{"theta", 1, theta},
@@ -142,6 +174,8 @@ void write_frame(const std::filesystem::path& folder, const model::OutputView& v
                                      formats::Field{"sulcal_depth", 1, arrays.folds.sulcal_depth},
                                      formats::Field{"local_gyrification", 1, arrays.folds.local_gyrification},
                                      formats::Field{"thickness", 1, arrays.thickness},
+                                     formats::Field{"von_mises", 1, stress},
+                                     formats::Field{"cortex_boundary", 3, boundary},
                                      formats::Field{"id", 1, id}};
     formats::write_surface_vtp(folder / ("surface_" + frame.name + ".vtp"), frame.surface, frame.triangles,
                                surface_fields);

@@ -81,7 +81,8 @@ std::vector<std::string> frame_pictures(const std::string& name)
 
 std::vector<std::string> run_files()
 {
-    return {"case.toml", "run.log", "checkpoint.h5", "measures.csv", "surface.pvd", "particles.pvd", "summary.json"};
+    return {"case.toml",   "run.log",       "checkpoint.h5", "measures.csv",
+            "surface.pvd", "particles.pvd", "summary.json",  "report.html"};
 }
 
 std::vector<std::string> frame_files(const std::string& name)

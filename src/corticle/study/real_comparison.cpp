@@ -159,6 +159,7 @@ RealComparison compare_with_real(const ComparisonRequest& request)
     RealComparison result;
     result.run_name = fs::absolute(request.run / ".").lexically_normal().parent_path().filename().string();
     result.run_folder = request.run;
+    result.reading = request.real;
     result.axis = axis.week == nullptr ? "t" : "week";
     for (const std::string& name : request.others)
     {

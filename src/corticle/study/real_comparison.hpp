@@ -23,6 +23,7 @@ struct RealComparison
 {
     std::string run_name;
     std::filesystem::path run_folder;
+    RealSurfaceOptions reading;                             ///< how the real surfaces were read
     std::string axis;                                       ///< "week" | "t"
     std::vector<double> places;                             ///< output times of the run on the axis; ascends
     std::vector<std::vector<metrics::SurfaceRow>> run_rows; ///< at these

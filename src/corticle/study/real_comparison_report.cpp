@@ -3,6 +3,7 @@
 #include "corticle/view/pictures.hpp"
 
 #include "corticle/base/version.hpp"
+#include "corticle/config/choices.hpp"
 #include "corticle/metrics/comparison.hpp"
 #include "corticle/study/markdown.hpp"
 
@@ -81,6 +82,17 @@ Json real_json(const RealComparison& comparison, const RealSurface& real)
     return json;
 }
 
+/// The options of the command that say how files were read, so that they can be read again.
+Json reading_json(const RealSurfaceOptions& reading)
+{
+    const auto name = [](auto value) { return config::names<decltype(value)>()[static_cast<std::size_t>(value)]; };
+    return {{"unit", name(reading.unit)},
+            {"coordinates", name(reading.coordinates)},
+            {"labels", reading.mask.labels},
+            {"closing_mm", reading.mask.closing_mm},
+            {"smoothing_mm", reading.mask.smoothing_mm}};
+}
+
 std::vector<view::Panel> panels_of(const RealComparison& comparison)
 {
     std::vector<view::Panel> panels;
@@ -121,6 +133,7 @@ std::string comparison_json(const RealComparison& comparison, const Pictures& pi
     Json json;
     json["kind"] = "real";
     json["run"] = {{"name", comparison.run_name}, {"folder", comparison.run_folder.string()}};
+    json["reading"] = reading_json(comparison.reading);
     json["axis"] = comparison.axis;
     json[comparison.axis] = comparison.places;
     json["run_measures"] = Json::object();

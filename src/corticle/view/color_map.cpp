@@ -11,7 +11,8 @@ namespace corticle::view
 namespace
 {
 
-// Equidistant samples, 0 to 255. Viridis: S. van der Walt and N. Smith (2015). Coolwarm: K. Moreland (2009).
+// Equidistant samples, 0 to 255. Viridis: S. van der Walt and N. Smith (2015). Cividis: J. Nuñez, C. Anderton and
+// R. Renslow (2018). Coolwarm: K. Moreland (2009).
 constexpr std::array<Color, 9> viridis{{{68, 1, 84},
                                         {71, 45, 123},
                                         {59, 82, 139},
@@ -30,15 +31,25 @@ constexpr std::array<Color, 9> coolwarm{{{59, 76, 192},
                                          {244, 154, 123},
                                          {222, 96, 77},
                                          {180, 4, 38}}};
+constexpr std::array<Color, 5> cividis{{{0, 34, 78}, {65, 77, 107}, {124, 123, 120}, {188, 175, 111}, {254, 232, 56}}};
+constexpr std::array<Color, 5> blue_orange{
+    {{20, 54, 120}, {96, 148, 204}, {236, 236, 232}, {226, 148, 72}, {128, 56, 8}}};
+constexpr std::array<Color, 2> greys{{{40, 40, 40}, {235, 235, 235}}};
 constexpr std::array<Color, 2> tissue{{{208, 218, 228}, {196, 78, 62}}};
-constexpr Color grey{0.5, 0.5, 0.5};
+constexpr Color missing{0.5, 0.5, 0.5};
 
 std::span<const Color> samples_of(ColorMap map)
 {
     switch (map)
     {
+    case ColorMap::cividis:
+        return cividis;
     case ColorMap::coolwarm:
         return coolwarm;
+    case ColorMap::blue_orange:
+        return blue_orange;
+    case ColorMap::grey:
+        return greys;
     case ColorMap::tissue:
         return tissue;
     case ColorMap::viridis:
@@ -53,7 +64,7 @@ Color map_color(ColorMap map, double fraction)
 {
     if (std::isnan(fraction))
     {
-        return grey;
+        return missing;
     }
     const std::span<const Color> samples = samples_of(map);
     const double position = std::clamp(fraction, 0.0, 1.0) * static_cast<double>(samples.size() - 1);

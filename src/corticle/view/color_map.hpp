@@ -12,8 +12,11 @@ using Color = std::array<double, 3>;
 enum class ColorMap
 {
     viridis,
-    coolwarm, ///< diverging
-    tissue    ///< white matter, a pale blue-grey, to cortex, a warm red
+    cividis,
+    coolwarm,    ///< diverging
+    blue_orange, ///< diverging, dark at both ends
+    grey,
+    tissue ///< white matter, a pale blue-grey, to cortex, a warm red
 };
 
 /// The colour of `fraction` (clamped to 0 to 1; NaN gives grey) on a map.

@@ -6,6 +6,7 @@
 #include "corticle/formats/atomic_file.hpp"
 #include "corticle/formats/quiet_vtk.hpp"
 #include "corticle/view/color_map.hpp"
+#include "corticle/view/robust_range.hpp"
 
 #include <fmt/format.h>
 
@@ -131,10 +132,9 @@ void fill_lookup_table(vtkLookupTable* table, const ColorScale& scale)
 void add_color_bar(vtkRenderer* renderer, const ColorScale& scale, double x, double y, double height)
 {
     add_image(renderer, bar_image(scale, static_cast<int>(height)), x, y);
-    for (int tick = 0; tick < tick_count; ++tick)
+    for (const double value : round_ticks(scale.low, scale.high, tick_count))
     {
-        const double fraction = static_cast<double>(tick) / (tick_count - 1);
-        const double value = (1.0 - fraction) * scale.low + fraction * scale.high;
+        const double fraction = (value - scale.low) / (scale.high > scale.low ? scale.high - scale.low : 1.0);
         add_text(renderer, tick_text(scale, value), x + bar_width + 8, y + fraction * height,
                  {.size = 20, .align = -1});
     }

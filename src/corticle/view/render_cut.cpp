@@ -117,7 +117,8 @@ std::string caption_of(const Plane& plane)
 {
     constexpr std::string_view names = "xyz";
     const auto name = [&](int axis) { return names[static_cast<std::size_t>(axis)]; };
-    return fmt::format("section at {} = {:.4g} mm; {} to the right, {} up", name(plane.axis), plane.coordinate,
+    const double rounded = std::round(10.0 * plane.coordinate) / 10.0 + 0.0; // no -0
+    return fmt::format("section at {} = {:.4g} mm; {} to the right, {} up", name(plane.axis), rounded,
                        name(plane.right()), name(plane.up()));
 }
 

@@ -6,6 +6,7 @@
 #include "corticle/record/result_folder.hpp"
 #include "corticle/record/run_files.hpp"
 #include "corticle/record/run_reader.hpp"
+#include "corticle/view/robust_range.hpp"
 
 #include <fmt/format.h>
 
@@ -40,14 +41,8 @@ record::ResultFolder claim_pictures(const std::filesystem::path& run, std::span<
 
 ColorScale robust_scale(std::string label, std::span<const double> values, ColorMap map)
 {
-    std::vector<double> sorted(values.begin(), values.end());
-    std::sort(sorted.begin(), sorted.end());
-    const auto at = [&](double share)
-    { return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))]; };
-    double low = std::floor(at(0.02) * 10.0) / 10.0;
-    const double high = std::ceil(at(0.98) * 10.0) / 10.0;
-    low = high - low < 0.1 ? high - 0.1 : low;
-    return {std::move(label), low, high, map};
+    const Range range = robust_range(values);
+    return {std::move(label), range.low, range.high, map};
 }
 
 CutInput middle_cut(const record::Frame& frame, std::span<const double> scalar)
@@ -69,7 +64,7 @@ CutInput middle_cut(const record::Frame& frame, std::span<const double> scalar)
 void render_frame(const std::filesystem::path& folder, const record::Frame& frame)
 {
     const std::string title =
-        fmt::format("t = {:.3f}", frame.t) + (std::isnan(frame.week) ? "" : fmt::format(", week {:.1f}", frame.week));
+        (std::isnan(frame.week) ? "" : fmt::format("week {:.3g}, ", frame.week)) + fmt::format("t = {:.3g}", frame.t);
     const auto picture = [&](const std::string& kind, std::span<const double> values, const ColorScale& scale) {
         return SurfacePicture{folder / record::surface_picture(kind, frame.name), values, scale};
     };
@@ -77,7 +72,7 @@ void render_frame(const std::filesystem::path& folder, const record::Frame& fram
     curvature.high = std::max(curvature.high, -curvature.low); // 0 in the middle
     curvature.low = -curvature.high;
     const std::array surfaces{
-        picture("J", frame.surface_J, robust_scale("J = det F", frame.surface_J, ColorMap::viridis)),
+        picture("J", frame.surface_J, robust_scale("volume ratio J", frame.surface_J, ColorMap::viridis)),
         picture("growth", frame.surface_growth, robust_scale("growth g", frame.surface_growth, ColorMap::viridis)),
         picture("sulcal_depth", frame.sulcal_depth,
                 robust_scale("sulcal depth [mm]", frame.sulcal_depth, ColorMap::viridis)),
@@ -89,38 +84,38 @@ void render_frame(const std::filesystem::path& folder, const record::Frame& fram
 
 void render_measures(const std::filesystem::path& folder, std::span<const metrics::Measures> rows)
 {
-    const auto curve = [&](std::string label, double metrics::Measures::*value)
+    using metrics::Measures;
+    const bool has_weeks = std::ranges::none_of(rows, [](const Measures& row) { return std::isnan(row.week); });
+    const std::string axis = has_weeks ? "gestational week" : "growth time t";
+    const auto curve = [&](std::string label, double Measures::*value)
     {
         Curve c{std::move(label), {}, {}};
-        for (const metrics::Measures& row : rows)
+        for (const Measures& row : rows)
         {
-            c.x.push_back(row.t);
+            c.x.push_back(has_weeks ? row.week : row.t);
             c.y.push_back(row.*value);
         }
         return c;
     };
     const std::array panels{
-        Panel{"t",
-              "ratio to t = 0",
-              {curve("area", &metrics::Measures::area_ratio), curve("volume", &metrics::Measures::volume_ratio)}},
-        Panel{"t",
+        Panel{axis,
+              "over initial value",
+              {curve("area", &Measures::area_ratio), curve("volume", &Measures::volume_ratio)}},
+        Panel{axis,
               "gyrification index",
-              {curve("hull", &metrics::Measures::gi_hull), curve("sphere", &metrics::Measures::gi_sphere)}},
-        Panel{"t",
-              "J",
-              {curve("least", &metrics::Measures::J_min), curve("mean", &metrics::Measures::J_mean),
-               curve("largest", &metrics::Measures::J_max)}},
-        Panel{"t",
+              {curve("over hull", &Measures::gi_hull), curve("over sphere", &Measures::gi_sphere)}},
+        Panel{axis,
+              "volume ratio J",
+              {curve("least", &Measures::J_min), curve("mean", &Measures::J_mean), curve("largest", &Measures::J_max)}},
+        Panel{axis,
               "energy [mu_w mm³]",
-              {curve("elastic", &metrics::Measures::energy_elastic),
-               curve("zero-energy control", &metrics::Measures::energy_zero_mode)}},
-        Panel{"t",
+              {curve("elastic", &Measures::energy_elastic), curve("zero-energy control", &Measures::energy_zero_mode)}},
+        Panel{axis,
               "energy [mu_w mm³]",
-              {curve("kinetic", &metrics::Measures::energy_kinetic),
-               curve("contact", &metrics::Measures::energy_contact)}},
-        Panel{"t", "overlapping area share", {curve("overlap", &metrics::Measures::overlap_area_share)}},
+              {curve("kinetic", &Measures::energy_kinetic), curve("contact", &Measures::energy_contact)}},
+        Panel{axis, "share of area that overlaps", {curve("overlap", &Measures::overlap_area_share)}},
     };
-    render_plot(folder / record::measures_picture, panels, "Measures against growth time");
+    render_plot(folder / record::measures_picture, panels, "Measures against " + axis);
 }
 
 void render_run(const std::filesystem::path& folder)

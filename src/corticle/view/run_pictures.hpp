@@ -12,7 +12,7 @@
 namespace corticle::view
 {
 
-/// A colour range that shows the bulk of the values (at least one): the 2nd to 98th percentile, widened to tenths.
+/// A colour range that shows the bulk of the values (at least one): robust_range.
 ColorScale robust_scale(std::string label, std::span<const double> values, ColorMap map);
 
 /// The cut through the middle of a frame, across y, that shows `scalar` of its particles. Refers to both.
@@ -22,7 +22,7 @@ CutInput middle_cut(const record::Frame& frame, std::span<const double> scalar);
 /// (coronal where x points to the right and y to the front). `folder` is the run folder.
 void render_frame(const std::filesystem::path& folder, const record::Frame& frame);
 
-/// Plot of the measures against t.
+/// Plot of the measures against the weeks, or against t.
 void render_measures(const std::filesystem::path& folder, std::span<const metrics::Measures> rows);
 
 /// Remakes all pictures of a run folder from its files.

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/report/body.hpp"
+
+#include "corticle/base/error.hpp"
+#include "corticle/config/case_file.hpp"
+#include "corticle/formats/vtk_files.hpp"
+#include "corticle/report/packed.hpp"
+#include "corticle/report/thinning.hpp"
+#include "corticle/view/robust_range.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+namespace corticle::report
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t fewest_frames = 6;
+constexpr std::size_t fewest_vertices = 2000;
+
+/// Arrays of surface files that are not scalars to look at; curvedness and the like follow from what is shown.
+const std::set<std::string, std::less<>> left_out{"id", "gaussian_curvature", "curvedness", "shape_index"};
+
+std::vector<Vec3> points_of(std::span<const double> numbers)
+{
+    std::vector<Vec3> points;
+    for (std::size_t i = 0; i + 2 < numbers.size(); i += 3)
+    {
+        points.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
+    }
+    return points;
+}
+
+std::vector<double> flattened(std::span<const Vec3> points)
+{
+    std::vector<double> numbers;
+    numbers.reserve(3 * points.size());
+    for (const Vec3& point : points)
+    {
+        numbers.insert(numbers.end(), {point.x, point.y, point.z});
+    }
+    return numbers;
+}
+
+/// The week at t of a run with a clock.
+double week_at(const formats::NumberTable& measures, double t)
+{
+    const formats::NumberColumn* const times = measures.find("t");
+    const formats::NumberColumn* const weeks = measures.find("week");
+    for (std::size_t k = 0; weeks != nullptr && times != nullptr && k < times->values.size(); ++k)
+    {
+        if (std::abs(times->values[k] - t) < model::same_output_time)
+        {
+            return weeks->values[k];
+        }
+    }
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
+BodyFrame take_frame(formats::SurfaceFile file, double t, double week)
+{
+    BodyFrame frame{t, week, std::move(file.mesh.vertices), {}, {}};
+    const std::size_t count = frame.points.size();
+    for (auto& [name, values] : file.fields)
+    {
+        if (name == "cortex_boundary" && values.size() == 3 * count)
+        {
+            frame.boundary = points_of(values);
+        }
+        else if (values.size() == count && !left_out.contains(name))
+        {
+            frame.scalars.emplace_back(name, std::move(values));
+        }
+    }
+    return frame;
+}
+
+template <class T>
+std::vector<T> chosen_of(const std::vector<T>& values, std::span<const std::int32_t> kept)
+{
+    std::vector<T> chosen;
+    for (const std::int32_t v : kept)
+    {
+        chosen.push_back(values[static_cast<std::size_t>(v)]);
+    }
+    return chosen;
+}
+
+Body thinned(const Body& body, std::size_t vertices)
+{
+    const ThinSurface thin = thin_surface(body.triangles, body.frames.front().points.size(), vertices);
+    Body result{body.name, body.is_brain, thin.triangles, {}};
+    for (const BodyFrame& frame : body.frames)
+    {
+        BodyFrame& less = result.frames.emplace_back(BodyFrame{frame.t, frame.week, {}, {}, {}});
+        less.points = chosen_of(frame.points, thin.kept);
+        less.boundary = frame.boundary.empty() ? frame.boundary : chosen_of(frame.boundary, thin.kept);
+        for (const auto& [key, values] : frame.scalars)
+        {
+            less.scalars.emplace_back(key, chosen_of(values, thin.kept));
+        }
+    }
+    return result;
+}
+
+void keep_frames(Body& body, std::size_t count)
+{
+    std::vector<BodyFrame> kept;
+    for (const std::size_t k : spread(body.frames.size(), count))
+    {
+        kept.push_back(std::move(body.frames[k]));
+    }
+    body.frames = std::move(kept);
+}
+
+Json frame_json(const BodyFrame& frame, Blobs& blobs)
+{
+    Json json{{"t", frame.t}, {"week", frame.week}};
+    json["points"] = pack_numbers(flattened(frame.points), 3, blobs);
+    if (!frame.boundary.empty())
+    {
+        json["boundary"] = pack_numbers(flattened(frame.boundary), 3, blobs);
+    }
+    json["scalars"] = Json::object();
+    for (const auto& [key, values] : frame.scalars)
+    {
+        json["scalars"][key] = pack_numbers(values, 1, blobs);
+    }
+    return json;
+}
+
+/// Range of each scalar over all frames: {"key": {"robust": [low, high], "full": [low, high]}}.
+Json ranges_json(const Body& body)
+{
+    Json json = Json::object();
+    for (const auto& [key, first] : body.frames.back().scalars)
+    {
+        std::vector<double> all;
+        for (const BodyFrame& frame : body.frames)
+        {
+            for (const auto& [name, values] : frame.scalars)
+            {
+                if (name == key)
+                {
+                    all.insert(all.end(), values.begin(), values.end());
+                }
+            }
+        }
+        const view::Range robust = view::robust_range(all);
+        const view::Range full = view::full_range(all);
+        json[key] = {{"robust", {robust.low, robust.high}}, {"full", {full.low, full.high}}};
+    }
+    return json;
+}
+
+/// What the arrays take as base64 if nothing deflates.
+std::size_t bytes_at_most(const Body& body)
+{
+    std::size_t numbers = 6 * body.triangles.size();
+    for (const BodyFrame& frame : body.frames)
+    {
+        numbers += frame.points.size() * (3 + frame.scalars.size()) + 3 * frame.boundary.size();
+    }
+    return 2 * numbers * 4 / 3;
+}
+
+std::size_t packed_bytes(const Body& body)
+{
+    Blobs blobs;
+    pack_body(body, blobs);
+    return blobs.bytes();
+}
+
+} // namespace
+
+bool is_brain(const fs::path& run_folder)
+{
+    try
+    {
+        return config::read_case(run_folder / "case.toml", {}).geometry.shape == prepare::Shape::file;
+    }
+    catch (const InputError&)
+    {
+        return false; // a case of another version
+    }
+}
+
+Body read_body(const record::RunContents& run, std::span<const std::size_t> chosen, std::string name)
+{
+    Body body{std::move(name), is_brain(run.folder), {}, {}};
+    for (const std::size_t k : chosen)
+    {
+        const record::FrameFiles& files = run.frames[k];
+        formats::SurfaceFile file = formats::read_surface_vtp(files.surface);
+        if (file.mesh.vertices.empty() || !std::all_of(file.mesh.vertices.begin(), file.mesh.vertices.end(), is_finite))
+        {
+            throw InputError(fmt::format("{}: not a surface with finite coordinates", files.surface.string()));
+        }
+        if (body.triangles.empty())
+        {
+            body.triangles = file.mesh.triangles;
+        }
+        else if (body.triangles != file.mesh.triangles)
+        {
+            throw InputError(
+                fmt::format("{}: other triangles than at the output times before", files.surface.string()));
+        }
+        body.frames.push_back(take_frame(std::move(file), files.t, week_at(run.measures, files.t)));
+    }
+    return body;
+}
+
+Body read_body(const record::RunContents& run, std::string name)
+{
+    std::vector<std::size_t> all(run.frames.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return read_body(run, all, std::move(name));
+}
+
+Json pack_body(const Body& body, Blobs& blobs)
+{
+    std::vector<std::uint32_t> corners;
+    for (const Triangle& triangle : body.triangles)
+    {
+        for (const std::int32_t v : triangle)
+        {
+            corners.push_back(static_cast<std::uint32_t>(v));
+        }
+    }
+    Json json{{"name", body.name}, {"brain", body.is_brain}, {"vertices", body.frames.front().points.size()}};
+    json["ranges"] = ranges_json(body);
+    json["triangles"] = pack_indices(corners, blobs);
+    json["frames"] = Json::array();
+    for (const BodyFrame& frame : body.frames)
+    {
+        json["frames"].push_back(frame_json(frame, blobs));
+    }
+    return json;
+}
+
+Json pack_bodies(std::vector<Body> bodies, std::size_t most_bytes, Blobs& blobs, std::vector<std::string>& notes)
+{
+    Json json = Json::array();
+    for (Body& body : bodies)
+    {
+        const std::size_t share = most_bytes / bodies.size();
+        const std::size_t frames = body.frames.size();
+        const std::size_t vertices = body.frames.front().points.size();
+        std::size_t bytes = bytes_at_most(body) > share ? packed_bytes(body) : 0;
+        if (bytes > share && frames > fewest_frames)
+        {
+            keep_frames(body, std::max(fewest_frames, frames * share / bytes));
+            bytes = packed_bytes(body);
+        }
+        if (bytes > share && vertices > fewest_vertices)
+        {
+            const double factor = 0.95 * static_cast<double>(share) / static_cast<double>(bytes);
+            body = thinned(body,
+                           std::max(fewest_vertices, static_cast<std::size_t>(factor * static_cast<double>(vertices))));
+        }
+        if (body.frames.size() < frames || body.frames.front().points.size() < vertices)
+        {
+            notes.push_back(fmt::format("{}: to keep the page small, the surface shows {} of {} output times and {} of "
+                                        "{} vertices. The plots are of all output times (--max-mb).",
+                                        body.name, body.frames.size(), frames, body.frames.front().points.size(),
+                                        vertices));
+        }
+        json.push_back(pack_body(body, blobs));
+    }
+    return json;
+}
+
+} // namespace corticle::report

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/report/sources.hpp"
+
+#include "corticle/base/error.hpp"
+#include "corticle/formats/format_error.hpp"
+
+#include <fmt/format.h>
+
+namespace corticle::report
+{
+
+namespace fs = std::filesystem;
+
+Json read_json(const fs::path& file)
+{
+    Json json = Json::parse(formats::read_whole_file(file), nullptr, false);
+    if (!json.is_object())
+    {
+        throw InputError(fmt::format("{}: not a JSON object; expected what corticle wrote", file.string()));
+    }
+    return json;
+}
+
+fs::path found_from(const fs::path& folder, const std::string& path)
+{
+    std::error_code error;
+    for (const fs::path& place : {fs::path(path), folder / ".." / path, folder / path})
+    {
+        if (fs::exists(place, error))
+        {
+            return place;
+        }
+    }
+    throw InputError(fmt::format("{}: not found from here, nor from {}; start the command where it was compared", path,
+                                 folder.string()));
+}
+
+} // namespace corticle::report
