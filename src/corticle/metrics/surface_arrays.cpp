@@ -22,7 +22,7 @@ std::vector<Vec3> cortex_boundary(const model::Simulation& simulation)
     const model::Model& model = simulation.model();
     const material::TissueOptions& tissue = simulation.options().tissue;
     const double t = simulation.state().t;
-    const bool similar = !model.tissue.given_theta.empty();
+    const bool similar = !model.tissue.given_theta.empty() && model.tissue.cortex_inside.empty();
     const double scale = model::cortex_size(simulation.options()).scale(t);
     std::vector<Vec3> boundary;
     boundary.reserve(model.surface.vertices.size());
@@ -92,7 +92,7 @@ SurfaceArrays surface_arrays(const model::OutputView& view)
     const std::vector<Vec3> inner =
         model::scaled(carried_points(carried, cortex_boundary(view.simulation)), view.scale.length);
     return {fold_fields(view.surface, view.triangles(), fold_options(view)),
-            cortical_thickness(view.surface, inner, view.triangles())};
+            cortical_thickness(view.surface, inner, view.triangles()), surface_area(inner, view.triangles())};
 }
 
 ReferenceFolds reference_folds(const model::OutputView& view)

@@ -12,6 +12,7 @@ struct SurfaceArrays
 {
     FoldFields folds;
     std::vector<double> thickness; ///< of the cortex [mm]
+    double inner_area_mm2 = 0.0;   ///< of the boundary of cortex and white matter
 };
 
 SurfaceArrays surface_arrays(const model::OutputView& view);
