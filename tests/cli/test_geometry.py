@@ -11,6 +11,7 @@ import struct
 import _command
 import _surfaces
 from _run_folders import check_same
+from _volumes import nifti
 
 SHORT = ("--set", "geometry.particles=3000", "--set", "time.end=0.04", "--set", "output.count=2")
 FILE_CASE = '[geometry]\nshape = "file"\nfile = "{}"\nparticles = 2000\n[output]\npictures = "off"\n{}\n'
@@ -61,24 +62,6 @@ def phantom(bench):
     bench.refused(["prepare", "brain.toml", "--out", "direct"], ["direct", "run"])
     bench.accepted("run", "brain.toml", "--out", "left", "--quiet", *SHORT, "--set", "geometry.hemisphere=left",
                    "--set", "geometry.particles=1500")
-
-
-def nifti(labels, size, voxel=1.0, datatype=2, bits=8, dims=None):
-    """A NIfTI-1 file of bytes, centred on the origin."""
-    header = bytearray(352)
-    struct.pack_into("<i", header, 0, 348)
-    struct.pack_into("<8h", header, 40, *(dims or (3, *size, 1, 1, 1, 1)))
-    struct.pack_into("<2h", header, 70, datatype, bits)
-    struct.pack_into("<8f", header, 76, 1, voxel, voxel, voxel, 1, 1, 1, 1)
-    struct.pack_into("<2f", header, 108, 352, 1)
-    header[123] = 2 # mm
-    struct.pack_into("<2h", header, 252, 0, 1)
-    for row in range(3):
-        values = [0.0, 0.0, 0.0, -0.5 * voxel * (size[row] - 1)]
-        values[row] = voxel
-        struct.pack_into("<4f", header, 280 + 16 * row, *values)
-    header[344:348] = b"n+1\0"
-    return bytes(header) + bytes(labels)
 
 
 def ball_labels(size, radius, label=2):

@@ -3,6 +3,7 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/config/parameters.hpp"
+#include "corticle/config/tissue_keys.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -229,6 +230,7 @@ void check_case(const Options& options, const Place& place)
     check_maps(options.map, place);
     check_particle_count(options.geometry, place);
     check_tissue(options, place);
+    check_tissue_keys(options, place);
     check_imperfection(options.imperfection, place);
     check_solver(options, place);
 }

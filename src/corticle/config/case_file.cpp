@@ -237,7 +237,8 @@ bool matters_to_a_run(const Parameter& parameter)
 
 bool matters_to_a_body(const Parameter& parameter)
 {
-    return parameter.section() == "geometry" || parameter.section() == "map" || parameter.key == "solver.method" ||
+    return parameter.section() == "geometry" || parameter.section() == "map" ||
+           parameter.key.starts_with("tissue.labels.") || parameter.key == "solver.method" ||
            parameter.key == "solver.elements";
 }
 

@@ -48,6 +48,11 @@ inline std::vector<std::string> names<material::GrowthLaw>()
     return {"linear", "gompertz"};
 }
 template <>
+inline std::vector<std::string> names<material::GrowthSource>()
+{
+    return {"keys", "fetal", "table"};
+}
+template <>
 inline std::vector<std::string> names<material::NormalFrame>()
 {
     return {"reference", "current"};

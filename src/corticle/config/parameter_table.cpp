@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/config/parameter_builders.hpp"
+#include "corticle/config/tissue_parameters.hpp"
 
 #include <fmt/format.h>
 
@@ -46,13 +47,18 @@ std::vector<Parameter> geometry_parameters()
                   CORTICLE_MEMBER(geometry.mask.labels)),
         parameter("geometry.image_volume", "", at_least(0.0), "Which volume of a 4D image, counted from 0.",
                   CORTICLE_MEMBER(geometry.mask.volume)),
-        parameter("geometry.closing_mm", "mm", between(0.0, 20.0), "Radius by which the mask of the labels is closed.",
-                  CORTICLE_MEMBER(geometry.mask.closing_mm)),
+        with_example(parameter("geometry.closing_mm", "mm", between(0.0, 20.0),
+                               "Radius by which the mask of the labels is closed; not given: 0, or as little as the "
+                               "spacing needs.",
+                               CORTICLE_MEMBER(geometry.closing_mm)),
+                     "1.8"),
         parameter("geometry.fill_cavities", "", {}, "Whether cavities of the mask are filled.",
                   CORTICLE_MEMBER(geometry.mask.fill_cavities)),
-        parameter("geometry.smoothing_mm", "mm", between(0.0, 20.0),
-                  "Standard deviation of the smoothing of the mask, which keeps its volume.",
-                  CORTICLE_MEMBER(geometry.mask.smoothing_mm)),
+        with_example(parameter("geometry.smoothing_mm", "mm", between(0.0, 20.0),
+                               "Standard deviation of the smoothing of the mask, which keeps its volume; not given: as "
+                               "little as voxels and spacing need.",
+                               CORTICLE_MEMBER(geometry.smoothing_mm)),
+                     "1.2"),
         parameter("geometry.remove_handles", "", {}, "Whether the surface of the mask is made a topological sphere.",
                   CORTICLE_MEMBER(geometry.mask.remove_handles)),
         parameter("geometry.hemisphere", "", {}, "Which part of the mask is taken.",
@@ -114,67 +120,6 @@ std::vector<Parameter> map_parameters()
              "CSV with columns label and growth, the factor of alpha_t in each region; with columns onset and rate "
              "these are by region too.",
              CORTICLE_MEMBER(map.region_table)),
-    };
-}
-
-std::string thickness_preset_sentence()
-{
-    std::string sentence = "A thickness by name instead of the two keys below:";
-    std::string_view separator = " ";
-    for (const material::PresetThickness& row : material::thickness_presets())
-    {
-        sentence +=
-            fmt::format("{}{} is {} mm + {} mm t ({})", separator, row.name, row.initial_mm, row.rate_mm, row.source);
-        separator = "; ";
-    }
-    return sentence + ".";
-}
-
-std::vector<Parameter> tissue_parameters()
-{
-    return {
-        parameter("tissue.layer", "", {}, "Transition from cortex to white matter.", CORTICLE_MEMBER(tissue.layer)),
-        parameter("tissue.thickness_preset", "", {}, thickness_preset_sentence(),
-                  CORTICLE_MEMBER(tissue.thickness_preset)),
-        without_thickness_preset(parameter("tissue.thickness_mm", "mm", above(0.0, 100.0),
-                                           "Thickness of the cortex at t = 0.", CORTICLE_MEMBER(tissue.thickness_mm))),
-        without_thickness_preset(parameter("tissue.thickness_rate_mm", "mm", between(-100.0, 100.0),
-                                           "Change of the thickness from t = 0 to t = 1.",
-                                           CORTICLE_MEMBER(tissue.thickness_rate_mm))),
-        parameter("tissue.lambda", "", between(0.0, 0.999),
-                  "Above 0: cortex is where the squared scaled radius of a sphere or ellipsoid reaches this "
-                  "(binary layer only; of another body the scaled extents are taken, thesis eq. 24); 0: the thickness "
-                  "decides.",
-                  CORTICLE_MEMBER(tissue.lambda)),
-        parameter("tissue.mu_cortex", "mu_w", between(0.001, 1000.0), "Shear modulus of the cortex.",
-                  CORTICLE_MEMBER(tissue.mu_cortex)),
-        parameter("tissue.mu_white", "mu_w", between(0.001, 1000.0), "Shear modulus of the white matter.",
-                  CORTICLE_MEMBER(tissue.mu_white)),
-        parameter("tissue.bulk", "", {}, "Whether the bulk modulus follows the shear modulus or is one constant.",
-                  CORTICLE_MEMBER(tissue.bulk)),
-        parameter("tissue.bulk_modulus", "mu or mu_w", between(0.1, 10000.0),
-                  "Bulk modulus: in shear moduli of the tissue (per_tissue) or itself (uniform).",
-                  CORTICLE_MEMBER(tissue.bulk_modulus)),
-        parameter("tissue.alpha_t", "", between(0.0, 10.0), "Tangential growth of the cortex at t = 1.",
-                  CORTICLE_MEMBER(tissue.alpha_t)),
-        parameter("tissue.alpha_r", "", between(0.0, 10.0),
-                  "Growth of the cortex along the normal at t = 1; equal to alpha_t: isotropic.",
-                  CORTICLE_MEMBER(tissue.alpha_r)),
-        parameter("tissue.alpha_white", "", between(0.0, 10.0),
-                  "Growth of the white matter at t = 1, in all directions.", CORTICLE_MEMBER(tissue.alpha_white)),
-        parameter("tissue.growth_law", "", {},
-                  "Course of growth: rate (t - onset), or Gompertz's curve with that line for its steepest tangent.",
-                  CORTICLE_MEMBER(tissue.growth_law)),
-        parameter("tissue.growth_onset", "", between(-10.0, 1.0), "t at which growth sets in.",
-                  CORTICLE_MEMBER(tissue.growth_onset)),
-        parameter("tissue.growth_rate", "", above(0.0, 100.0), "Slope of growth in t, the largest one with gompertz.",
-                  CORTICLE_MEMBER(tissue.growth_rate)),
-        parameter("tissue.normal", "", {},
-                  "Growth is tangential to the layers of the reference state or of the current one.",
-                  CORTICLE_MEMBER(tissue.normal)),
-        parameter("tissue.barrier_J", "", between(0.0, 0.95),
-                  "Elastic volume ratio below which a barrier resists crushing; 0: none.",
-                  CORTICLE_MEMBER(tissue.barrier_J)),
     };
 }
 
@@ -322,8 +267,8 @@ std::vector<Parameter> other_parameters()
 std::vector<Parameter> all_parameters()
 {
     std::vector<Parameter> all;
-    for (auto part : {geometry_parameters, map_parameters, tissue_parameters, imperfection_parameters,
-                      solver_parameters, thesis_parameters, other_parameters})
+    for (auto part : {geometry_parameters, map_parameters, tissue_parameters, growth_parameters,
+                      imperfection_parameters, solver_parameters, thesis_parameters, other_parameters})
     {
         std::ranges::move(part(), std::back_inserter(all));
     }

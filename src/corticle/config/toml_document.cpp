@@ -2,6 +2,7 @@
 #include "corticle/config/toml_document.hpp"
 
 #include "corticle/base/error.hpp"
+#include "corticle/config/parameters.hpp"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
@@ -149,6 +150,17 @@ TomlNode parse_toml_tree(std::string_view text, const std::string& name, std::st
     }
 }
 
+namespace
+{
+
+/// Whether keys of cases begin with this one: that of a table in a section, as in [tissue.labels].
+bool is_group(const std::string& key)
+{
+    return std::ranges::any_of(parameters(), [&](const Parameter& p) { return p.key.starts_with(key + "."); });
+}
+
+} // namespace
+
 std::vector<TomlEntry> parse_toml(std::string_view text, const std::string& name)
 {
     std::vector<TomlEntry> entries;
@@ -162,6 +174,16 @@ std::vector<TomlEntry> parse_toml(std::string_view text, const std::string& name
         entries.push_back({node.key, node.key, true, node.line, Unsupported{"a table"}});
         for (TomlNode& child : node.children)
         {
+            const std::string key = node.key + "." + child.key;
+            if (child.kind == TomlNode::Kind::table && is_group(key))
+            {
+                for (TomlNode& grandchild : child.children)
+                {
+                    entries.push_back(
+                        {key + "." + grandchild.key, node.key, false, grandchild.line, std::move(grandchild.value)});
+                }
+                continue;
+            }
             entries.push_back({node.key + "." + child.key, node.key, false, child.line, std::move(child.value)});
         }
     }

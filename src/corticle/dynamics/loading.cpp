@@ -37,7 +37,8 @@ double follow(double rate, double wanted, double part)
 
 Loading::Loading(const DynamicsOptions& dynamics, const material::TissueOptions& tissue, double start)
     : dynamics_(dynamics), tissue_(tissue), growth_at_start_(relative_growth(tissue, start)),
-      critical_growth_(material::critical_layer(tissue).growth)
+      critical_growth_(tissue.growth_source == material::GrowthSource::keys ? material::critical_layer(tissue).growth
+                                                                            : std::numeric_limits<double>::infinity())
 {
 }
 

@@ -8,7 +8,8 @@ namespace corticle::imaging
 
 std::vector<std::string> describe(const MaskReport& report)
 {
-    std::vector<std::string> lines;
+    std::vector<std::string> lines{fmt::format("mask of the labels: closed by {:.3g} mm, smoothed by {:.3g} mm",
+                                               report.closing_mm, report.smoothing_mm)};
     for (const MaskStep& step : report.steps)
     {
         if (step.added > 0 || step.removed > 0)

@@ -32,6 +32,8 @@ struct MaskReport
 {
     std::vector<MaskStep> steps;
     Vec3 voxel_mm;                   ///< edges of a voxel
+    double closing_mm = 0.0;         ///< MaskOptions
+    double smoothing_mm = 0.0;       ///< the same
     double mask_volume_mm3 = 0.0;    ///< of the clean mask, before smoothing
     double surface_volume_mm3 = 0.0; ///< enclosed by the surface
     double surface_area_mm2 = 0.0;

@@ -71,6 +71,8 @@ class SurfaceBuilder
         middle_x_ = selected.middle_x;
         mask_ = std::move(selected.mask);
         report_.voxel_mm = voxel_edges(image.frame);
+        report_.closing_mm = options.closing_mm;
+        report_.smoothing_mm = options.smoothing_mm;
         note("labels", Mask(mask_.size(), 0), mask_);
         if (selected.touches_border)
         {

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "corticle/material/tissue_kind.hpp"
+
+#include <optional>
+
 namespace corticle::material
 {
 
@@ -21,6 +25,14 @@ enum class GrowthLaw
 {
     linear,
     gompertz
+};
+
+/// Where growth of the tissues comes from (key growth.law).
+enum class GrowthSource
+{
+    keys,  ///< alpha_t, alpha_r and alpha_white of [tissue], by t
+    fetal, ///< by week, of a fetal brain
+    table  ///< by week, of a file
 };
 
 /// Which normal growth is tangential to.
@@ -48,11 +60,16 @@ struct TissueOptions
                              ///< (thesis eq. 24); 0: thickness decides
     double mu_cortex = 0.86; ///< shear modulus [mu_w]
     double mu_white = 1.0;
+    double mu_deep = 1.0;
+    double mu_ventricle = 0.1;
+    double mu_still = 1.0;
     BulkRule bulk = BulkRule::per_tissue;
-    double bulk_modulus = 5.0;           ///< K / mu (per_tissue) or K itself (uniform)
-    double alpha_t = 1.8284271247461903; ///< sqrt(8) - 1
-    double alpha_r = 0.0;                ///< growth of the cortex along the normal
-    double alpha_white = 0.0;            ///< growth of the white matter, in all directions
+    double bulk_modulus = 5.0;                   ///< K / mu (per_tissue) or K itself (uniform)
+    PerTissue<std::optional<double>> bulk_ratio; ///< K / mu of a tissue; not given: as bulk_modulus says
+    double alpha_t = 1.8284271247461903;         ///< sqrt(8) - 1
+    double alpha_r = 0.0;                        ///< growth of the cortex along the normal
+    double alpha_white = 0.0;                    ///< growth of the white matter, in all directions
+    GrowthSource growth_source = GrowthSource::keys;
     GrowthLaw growth_law = GrowthLaw::linear;
     double growth_onset = 0.0; ///< [t]
     double growth_rate = 1.0;  ///< [1/t]

@@ -67,16 +67,89 @@ TissueState start_tissue(const TissueFields& fields, const TissueOptions& option
     return state;
 }
 
+Moduli moduli_of(const TissueOptions& options, TissueKind kind)
+{
+    const PerTissue<double> shear{options.mu_cortex, options.mu_white, options.mu_deep, options.mu_ventricle,
+                                  options.mu_still};
+    const auto k = static_cast<std::size_t>(kind);
+    if (options.bulk_ratio[k])
+    {
+        return {shear[k], *options.bulk_ratio[k] * shear[k]};
+    }
+    // The fluid in ventricles yields to shear, not to pressure: it is as hard to compress as what surrounds it.
+    const double carrier = kind == TissueKind::ventricle ? options.mu_white : shear[k];
+    return {shear[k], options.bulk == BulkRule::per_tissue ? options.bulk_modulus * carrier : options.bulk_modulus};
+}
+
+namespace
+{
+
+/// Growth of a tissue by the keys.
+TissueGrowthAt growth_by_keys(const TissueOptions& options, const GrowthCourse& course, TissueKind kind, double t)
+{
+    const bool is_cortex = kind == TissueKind::cortex;
+    const double still = kind == TissueKind::still ? 0.0 : 1.0;
+    const double tangential = still * (is_cortex ? options.alpha_t : options.alpha_white);
+    const double radial = still * (is_cortex ? options.alpha_r : options.alpha_white);
+    const double f = course.value(t);
+    const double slope = course.slope(t);
+    return {1.0 + tangential * f, 1.0 + radial * f, tangential * slope, radial * slope};
+}
+
+} // namespace
+
+MaterialPoint Tissue::labelled_point(std::size_t i, double t) const
+{
+    const TissueKind kind = fields.kind[i];
+    const GrowthCourse course{options.growth_law,
+                              fields.growth_onset.empty() ? options.growth_onset : fields.growth_onset[i],
+                              fields.growth_rate.empty() ? options.growth_rate : fields.growth_rate[i]};
+    const auto growth_of = [&](TissueKind of)
+    { return fields.growth ? fields.growth->at(of, t) : growth_by_keys(options, course, of, t); };
+    const TissueGrowthAt cortex = growth_of(TissueKind::cortex);
+    const TissueGrowthAt other = growth_of(kind);
+    const Moduli cortex_moduli = moduli_of(options, TissueKind::cortex);
+    const Moduli other_moduli = moduli_of(options, kind);
+    const double theta = state.theta[i];
+    const double m = fields.regional_rate[i];
+    const auto mixed = [&](double a, double b) { return theta * a + (1.0 - theta) * b; };
+    MaterialPoint point{1.0 + m * (mixed(cortex.tangential, other.tangential) - 1.0),
+                        1.0 + m * (mixed(cortex.radial, other.radial) - 1.0),
+                        m * mixed(cortex.tangential_rate, other.tangential_rate),
+                        m * mixed(cortex.radial_rate, other.radial_rate),
+                        mixed(cortex_moduli.shear, other_moduli.shear),
+                        mixed(cortex_moduli.bulk, other_moduli.bulk)};
+    if (!state.theta_rate.empty())
+    {
+        const double rate = state.theta_rate[i];
+        point.growth_rate += m * rate * (cortex.tangential - other.tangential);
+        point.radial_growth_rate += m * rate * (cortex.radial - other.radial);
+        point.shear_rate = rate * (cortex_moduli.shear - other_moduli.shear);
+        point.bulk_rate = rate * (cortex_moduli.bulk - other_moduli.bulk);
+    }
+    if (!state.past.empty())
+    {
+        point.growth /= state.past[i].tangential;
+        point.growth_rate /= state.past[i].tangential;
+        point.radial_growth /= state.past[i].radial;
+        point.radial_growth_rate /= state.past[i].radial;
+    }
+    return point;
+}
+
 bool Tissue::grows_plainly() const
 {
-    return options.alpha_r == 0.0 && options.alpha_white == 0.0 && options.growth_law == GrowthLaw::linear &&
-           options.growth_onset == 0.0 && options.growth_rate == 1.0 && options.normal == NormalFrame::reference &&
-           fields.growth_onset.empty() && fields.growth_rate.empty() && state.theta_rate.empty() && state.past.empty();
+    return !is_by_tissue() && options.alpha_r == 0.0 && options.alpha_white == 0.0 &&
+           options.growth_law == GrowthLaw::linear && options.growth_onset == 0.0 && options.growth_rate == 1.0 &&
+           options.normal == NormalFrame::reference && fields.growth_onset.empty() && fields.growth_rate.empty() &&
+           state.theta_rate.empty() && state.past.empty();
 }
 
 double wave_speed(const TissueOptions& options)
 {
-    return std::sqrt(longitudinal_modulus(material_point(options, 0.0, 1.0, 0.0)));
+    MaterialPoint white = material_point(options, 0.0, 1.0, 0.0);
+    white.bulk_modulus = moduli_of(options, TissueKind::white).bulk;
+    return std::sqrt(longitudinal_modulus(white));
 }
 
 } // namespace corticle::material

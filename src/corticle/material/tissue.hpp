@@ -4,6 +4,7 @@
 #include "corticle/material/growth.hpp"
 #include "corticle/material/material_point.hpp"
 #include "corticle/material/size.hpp"
+#include "corticle/material/tissue_growth.hpp"
 
 #include <array>
 #include <optional>
@@ -24,15 +25,20 @@ struct PastGrowth
 /// options holds everywhere.
 struct TissueFields
 {
-    std::vector<double> volume;        ///< reference volume [mm³]
-    std::vector<double> depth;         ///< y, reference distance to the surface [mm]
-    std::vector<Vec3> normal;          ///< n, unit, reference
-    std::vector<double> mapped_rate;   ///< m as maps give it [-]
-    std::vector<double> regional_rate; ///< m, the imperfection included [-]
-    std::vector<double> growth_onset;  ///< [t], or empty
-    std::vector<double> growth_rate;   ///< [1/t], or empty
-    std::vector<double> thickness;     ///< H_i of the closest surface point [mm], or empty
-    std::vector<double> given_theta;   ///< a cortex that does not follow from depth and thickness [-], or empty
+    std::vector<double> volume;         ///< reference volume [mm³]
+    std::vector<double> depth;          ///< y, reference distance to the surface [mm]
+    std::vector<Vec3> normal;           ///< n, unit, reference
+    std::vector<double> mapped_rate;    ///< m as maps give it [-]
+    std::vector<double> regional_rate;  ///< m, the imperfection included [-]
+    std::vector<double> growth_onset;   ///< [t], or empty
+    std::vector<double> growth_rate;    ///< [1/t], or empty
+    std::vector<double> thickness;      ///< H_i of the closest surface point [mm], or empty
+    std::vector<double> given_theta;    ///< a cortex that does not follow from depth and thickness [-], or empty
+    std::vector<double> cortex_inside;  ///< distance from the inner boundary of a labelled cortex, positive in the
+                                        ///< cortex [mm], or empty
+    std::vector<TissueKind> kind;       ///< tissue of what is not cortex, or empty: white matter, with the growth of
+                                        ///< the keys and one K / mu
+    std::optional<TissueGrowth> growth; ///< by week, or none: by the keys; needs kind
 };
 
 /// What of the tissue goes with growth time; follows from fields, options and t.
@@ -76,6 +82,10 @@ struct Tissue
     /// Moduli and growth of particle i at t.
     MaterialPoint point(std::size_t i, double t) const
     {
+        if (is_by_tissue())
+        {
+            return labelled_point(i, t);
+        }
         const GrowthCourse course{options.growth_law,
                                   fields.growth_onset.empty() ? options.growth_onset : fields.growth_onset[i],
                                   fields.growth_rate.empty() ? options.growth_rate : fields.growth_rate[i]};
@@ -101,13 +111,28 @@ struct Tissue
         return point;
     }
 
+    /// Whether tissues differ by more than theta says, or grow by week.
+    bool is_by_tissue() const { return !fields.kind.empty(); }
+
     /// The unit normal that growth of particle i is tangential to, in the reference frame.
     /// @param F  deformation gradient of the particle
     Vec3 growth_normal(std::size_t i, const Mat3& F) const
     {
         return options.normal == NormalFrame::reference ? fields.normal[i] : current_normal(F, fields.normal[i]);
     }
+
+  private:
+    /// theta of the cortex, 1 - theta of the tissue that is there: moduli and growth are those of the two by share.
+    MaterialPoint labelled_point(std::size_t i, double t) const;
 };
+
+/// Moduli of a tissue [mu_w].
+struct Moduli
+{
+    double shear; ///< mu
+    double bulk;  ///< K
+};
+Moduli moduli_of(const TissueOptions& options, TissueKind kind);
 
 /// Pressure-wave speed of the white matter at density 1: sqrt(K + 4 mu / 3).
 double wave_speed(const TissueOptions& options);

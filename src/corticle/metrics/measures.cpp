@@ -55,6 +55,19 @@ void set_volume_ratios(const model::Model& model, std::span<const Mat3> F, Measu
     m.J_mean = weighted / volume;
 }
 
+/// Volume of the cortex, in the coordinates of the run [mm³].
+double cortex_volume(const model::Simulation& simulation, std::span<const Mat3> F)
+{
+    const std::vector<double>& volumes = simulation.model().cloud.volumes;
+    const std::vector<double>& theta = simulation.state().nodes.theta;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < F.size(); ++i)
+    {
+        sum += theta[i] * volumes[i] * determinant(F[i]);
+    }
+    return sum;
+}
+
 double reference_volume(const model::Model& model)
 {
     return std::accumulate(model.cloud.volumes.begin(), model.cloud.volumes.end(), 0.0);
@@ -112,6 +125,9 @@ Measures measure(const model::OutputView& view, const SurfaceArrays& arrays)
     m.curved_area_ratio = now.curved_area_mm2 / (curved_0.area_mm2 * std::pow(scale.length, 2));
     m.curved_volume_ratio = now.curved_volume_mm3 / (curved_0.volume_mm3 * std::pow(scale.length, 3));
     m.thickness_mean_mm = area_mean(arrays.thickness, vertex_areas(x, model.cloud.surface_triangles));
+    m.cortex_volume_mm3 = cortex_volume(simulation, *view.F) * std::pow(scale.length, 3);
+    m.inner_area_mm2 = arrays.inner_area_mm2;
+    m.cortex_thickness_mm = 2.0 * m.cortex_volume_mm3 / (m.area_mm2 + m.inner_area_mm2);
     m.fold_wavelength_reference_mm = waves.wavelength_mm;
     m.fold_degree = waves.degree;
     set_volume_ratios(model, *view.F, m);

@@ -26,6 +26,9 @@ struct Measures : SurfaceMeasures, FoldMeasures, EquilibriumMeasures
     double curved_area_ratio = 0.0;            ///< over the initial curved area
     double curved_volume_ratio = 0.0;          ///< over the initial curved volume
     double thickness_mean_mm = 0.0;            ///< of the cortex, weighted with current area
+    double cortex_volume_mm3 = 0.0;            ///< by its share of the nodes
+    double inner_area_mm2 = 0.0;               ///< of the boundary of cortex and white matter
+    double cortex_thickness_mm = 0.0;          ///< its volume over the mean area of its two surfaces
     double fold_wavelength_reference_mm = 0.0; ///< see ReferenceFolds
     double fold_degree = 0.0;                  ///< the same
     double J_min = 0.0;

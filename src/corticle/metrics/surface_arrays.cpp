@@ -22,7 +22,7 @@ std::vector<Vec3> cortex_boundary(const model::Simulation& simulation)
     const model::Model& model = simulation.model();
     const material::TissueOptions& tissue = simulation.options().tissue;
     const double t = simulation.state().t;
-    const bool similar = !model.tissue.given_theta.empty();
+    const bool similar = !model.tissue.given_theta.empty() && model.tissue.cortex_inside.empty();
     const double scale = model::cortex_size(simulation.options()).scale(t);
     std::vector<Vec3> boundary;
     boundary.reserve(model.surface.vertices.size());
@@ -91,8 +91,9 @@ SurfaceArrays surface_arrays(const model::OutputView& view)
     const CarriedCloud carried{cloud.positions, view.state().motion.x, *view.F, cloud.spacing};
     std::vector<Vec3> inner =
         model::scaled(carried_points(carried, cortex_boundary(view.simulation)), view.scale.length);
+    const double inner_area = surface_area(inner, view.triangles());
     return {fold_fields(view.surface, view.triangles(), fold_options(view)),
-            cortical_thickness(view.surface, inner, view.triangles()), std::move(inner)};
+            cortical_thickness(view.surface, inner, view.triangles()), std::move(inner), inner_area};
 }
 
 ReferenceFolds reference_folds(const model::OutputView& view)

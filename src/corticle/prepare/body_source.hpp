@@ -26,8 +26,14 @@ struct BodySource
     SourceReports reports;             ///< the same in numbers
 };
 
-/// Reads and cleans the input the options name. @throws InputError
-BodySource read_body_source(const GeometryOptions& options);
+/// Reads and cleans the input the options name.
+/// @param coarsening  0; more where a surface of labels turned out too fine for the spacing: each closes the mask by
+/// half a spacing more and smooths it by a quarter more, unless the options say how
+/// @throws InputError
+BodySource read_body_source(const GeometryOptions& options, int coarsening = 0);
+
+/// Whether another coarsening would make another surface.
+bool can_coarsen(const GeometryOptions& options);
 
 /// Semi-axes of a sphere or an ellipsoid [mm].
 std::array<double, 3> semi_axes(const GeometryOptions& options);

@@ -17,6 +17,12 @@ imaging::ImagedSurface read_label_surface(const std::filesystem::path& file, con
 {
     imaging::LabelVolume image = formats::read_nifti(file, {mask.volume, coordinates});
     std::ranges::move(image.notes, std::back_inserter(notes));
+    return label_surface(image, mask, file);
+}
+
+imaging::ImagedSurface label_surface(const imaging::LabelVolume& image, const imaging::MaskOptions& mask,
+                                     const std::filesystem::path& file)
+{
     try
     {
         imaging::ImagedSurface imaged = imaging::surface_from_labels(image, mask);

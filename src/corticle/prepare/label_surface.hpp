@@ -15,4 +15,8 @@ namespace corticle::prepare
 imaging::ImagedSurface read_label_surface(const std::filesystem::path& file, const imaging::MaskOptions& mask,
                                           formats::Coordinates coordinates, std::vector<std::string>& notes);
 
+/// The surface of labels that were read. @throws InputError, one line naming the file
+imaging::ImagedSurface label_surface(const imaging::LabelVolume& image, const imaging::MaskOptions& mask,
+                                     const std::filesystem::path& file);
+
 } // namespace corticle::prepare

@@ -6,6 +6,7 @@
 #include "corticle/formats/unit_of_length.hpp"
 #include "corticle/geometry/repair.hpp"
 #include "corticle/imaging/options.hpp"
+#include "corticle/imaging/tissue_labels.hpp"
 #include "corticle/material/imperfection.hpp"
 #include "corticle/model/options.hpp"
 
@@ -74,7 +75,9 @@ struct GeometryOptions
     std::string file;                                       ///< closed triangulated surface, label volume or tet mesh
     formats::UnitOfLength unit = formats::UnitOfLength::mm; ///< of a surface or tet mesh
     formats::Coordinates coordinates = formats::Coordinates::scanner; ///< of a surface or label volume with metadata
-    imaging::MaskOptions mask;                        ///< of a label volume: keys labels, image_volume, closing_mm, ...
+    imaging::MaskOptions mask;          ///< of a label volume: keys labels, image_volume, ...; the next two overrule it
+    std::optional<double> closing_mm;   ///< not given: as little as the spacing needs
+    std::optional<double> smoothing_mm; ///< not given: as little as voxels and spacing need
     geometry::Repair repair = geometry::Repair::none; ///< of a surface that is not closed and embedded
     geometry::RepairOptions wrap;                     ///< keys wrap_alpha_mm, wrap_offset_mm
     std::optional<double> spacing_mm;                 ///< either this
@@ -107,8 +110,16 @@ struct PreparationOptions : model::SimulationOptions
     std::optional<std::int64_t> elements; ///< key solver.elements: about this many tets
     GeometryOptions geometry;
     MapOptions map;
+    imaging::TissueLabels labels; ///< of each tissue; without cortex: the depth decides
+    std::string growth_table;     ///< key growth.table: CSV of week, tissue, tangential, radial
     material::ImperfectionOptions imperfection;
 };
+
+/// Whether labels say where the cortex is.
+inline bool has_labelled_cortex(const PreparationOptions& options)
+{
+    return !options.labels[static_cast<std::size_t>(material::TissueKind::cortex)].empty();
+}
 
 /// Amplitude of the imperfection; where none is given, that of the built-in shapes, which are perfect. Bodies from
 /// files are imperfect as they are, and the thesis knows no imperfection.

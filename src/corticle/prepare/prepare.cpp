@@ -11,6 +11,8 @@
 #include "corticle/prepare/body_checks.hpp"
 #include "corticle/prepare/body_maps.hpp"
 #include "corticle/prepare/body_source.hpp"
+#include "corticle/prepare/body_thickness.hpp"
+#include "corticle/prepare/labelled_tissue.hpp"
 #include "corticle/prepare/thesis/ellipsoid.hpp"
 #include "corticle/prepare/thesis_choices.hpp"
 
@@ -104,8 +106,33 @@ GradedResolution graded_resolution(const PreparationOptions& options, const Body
     return {resolve_resolution(options, source.volume, source.area, &profile, grading), grading};
 }
 
+/// The surface of a source at the resolution of the particles. Where that of labels would cross itself, a mask closed
+/// and smoothed a little more is tried, so that the mask is no coarser than the spacing needs.
+TriangleMesh remeshed_surface(const GeometryOptions& options, double edge_length, BodySource& source,
+                              PreparationReport& report)
+{
+    constexpr int most_coarsening = 4;
+    for (int coarsening = 1;; ++coarsening)
+    {
+        try
+        {
+            return geometry::remesh_isotropic(source.surface, edge_length, &report.remesh);
+        }
+        catch (const InputError& error)
+        {
+            if (!can_coarsen(options) || coarsening > most_coarsening)
+            {
+                throw;
+            }
+            report.notes.push_back(fmt::format("mask too fine for the spacing, made coarser: {}", error.what()));
+        }
+        source = read_body_source(options, coarsening);
+    }
+}
+
 /// Surface and particles or tets of the options' arrangement; the surface's vertices are particles.
-void set_cloud(const PreparationOptions& options, const BodySource& source, Preparation& made)
+/// @param source  receives a coarser mask where its surface asks for one
+void set_cloud(const PreparationOptions& options, BodySource& source, Preparation& made)
 {
     model::Model& model = made.model;
     const GeometryOptions& geometry = options.geometry;
@@ -113,10 +140,9 @@ void set_cloud(const PreparationOptions& options, const BodySource& source, Prep
     const auto [spacing, particles] = resolution;
     if (geometry.arrangement == Arrangement::body_fitted || geometry.arrangement == Arrangement::mesh_nodes)
     {
-        model.surface =
-            geometry.shape == Shape::file
-                ? geometry::remesh_isotropic(source.surface, cloud::edge_per_spacing * spacing, &made.report.remesh)
-                : geometry::make_ellipsoid(semi_axes(geometry), cloud::edge_per_spacing * spacing);
+        model.surface = geometry.shape == Shape::file
+                            ? remeshed_surface(options.geometry, cloud::edge_per_spacing * spacing, source, made.report)
+                            : geometry::make_ellipsoid(semi_axes(geometry), cloud::edge_per_spacing * spacing);
         if (options.method == model::Method::tlsph && geometry.arrangement == Arrangement::body_fitted)
         {
             model.cloud =
@@ -164,6 +190,11 @@ void complete_tissue(const PreparationOptions& options, std::span<const Vec3> no
                      std::vector<double> volumes, material::TissueFields& tissue)
 {
     tissue.volume = std::move(volumes);
+    complete_labelled_tissue(options, tissue);
+    if (has_labelled_cortex(options))
+    {
+        return;
+    }
     if (!has_layer_by_lambda(options))
     {
         require_cortex(options, places, tissue);
@@ -199,40 +230,6 @@ void connect_particles(const PreparationOptions& options, double thickness, Prep
     tlsph::TlsphOptions method = options.tlsph;
     method.zeta *= control_of(thickness / model.cloud.spacing);
     model.particles = tlsph::make_particles(model.cloud, pairs, method);
-}
-
-/// Where the cortex is `thickness` thick by the case, in the reference state at growth time t [mm].
-double thickness_at(const PreparationOptions& options, double thickness, double t)
-{
-    return (thickness + options.tissue.thickness_rate_mm * t) / model::cortex_size(options).scale(t);
-}
-
-/// Smallest thickness of the cortex during the run [mm in the reference state].
-double least_thickness(const PreparationOptions& options, const model::Model& model)
-{
-    if (has_layer_by_lambda(options))
-    {
-        return thickness_by_lambda(options, model);
-    }
-    const std::vector<double>& local = model.tissue.thickness;
-    const double thickness =
-        local.empty() ? options.tissue.thickness_mm : *std::min_element(local.begin(), local.end());
-    return std::min(thickness_at(options, thickness, options.time.start),
-                    thickness_at(options, thickness, options.time.end));
-}
-
-/// Mean thickness of the cortex as the run begins, wherever it ends [mm in the reference state].
-double mean_thickness(const PreparationOptions& options, const model::Model& model)
-{
-    if (has_layer_by_lambda(options))
-    {
-        return thickness_by_lambda(options, model);
-    }
-    const std::vector<double>& local = model.tissue.thickness;
-    const double thickness = local.empty()
-                                 ? options.tissue.thickness_mm
-                                 : std::accumulate(local.begin(), local.end(), 0.0) / static_cast<double>(local.size());
-    return thickness_at(options, thickness, options.time.start);
 }
 
 } // namespace
@@ -308,15 +305,15 @@ cloud::Grading grading_of(const PreparationOptions& options, const TriangleMesh&
 
 Preparation arrange_body(const PreparationOptions& options)
 {
-    BodySource source = read_body_source(options.geometry);
     Preparation made;
     model::Model& model = made.model;
+    BodySource source = read_body_source(options.geometry);
+    set_cloud(options, source, made);
     made.report.source = source.kind;
-    made.report.notes = std::move(source.notes);
+    std::ranges::move(source.notes, std::back_inserter(made.report.notes));
     made.report.warnings = std::move(source.warnings);
     made.report.inputs = std::move(source.reports);
     made.report.input_vertices = std::ssize(source.surface.vertices);
-    set_cloud(options, source, made);
     apply_thesis_volumes(options, model.cloud);
     const geometry::SurfaceTree tree(model.surface.vertices, model.surface.triangles);
     set_depth(tree, material_places(model), model.tissue);
@@ -324,11 +321,21 @@ Preparation arrange_body(const PreparationOptions& options)
     BodyMaps maps = set_maps(options.map, source.map_surface, material_places(model), model.tissue);
     std::ranges::move(maps.notes, std::back_inserter(made.report.notes));
     std::ranges::move(maps.warnings, std::back_inserter(made.report.warnings));
+    std::vector<Vec3> places;
     if (model.fem)
     {
-        const std::vector<Vec3> places = fem::centroids(model.cloud.positions, model.fem->elements.tets);
+        places = fem::centroids(model.cloud.positions, model.fem->elements.tets);
         set_depth(tree, places, model.fem->tissue);
         set_maps(options.map, source.map_surface, places, model.fem->tissue);
+    }
+    if (has_labelled_cortex(options))
+    {
+        const imaging::TissueReader reader = read_tissues(options, made.report.notes);
+        set_labelled_tissue(reader, material_places(model), model.tissue);
+        if (model.fem)
+        {
+            set_labelled_tissue(reader, places, model.fem->tissue);
+        }
     }
     return made;
 }
@@ -350,6 +357,11 @@ void connect_body(const PreparationOptions& options, Preparation& made)
     else
     {
         connect_particles(options, mean, made);
+    }
+    if (has_labelled_cortex(options))
+    {
+        made.report.inputs.tissues = report_tissues(model);
+        made.report.notes.push_back(describe(*made.report.inputs.tissues));
     }
     if (const std::string warning = size_warning(options, model); !warning.empty())
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/prepare/source_reports.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace corticle::prepare
@@ -24,6 +25,8 @@ Json mask_json(const imaging::MaskReport& report)
                               {"removed_mm3", step.removed_mm3}});
     }
     j["voxel_mm"] = {report.voxel_mm.x, report.voxel_mm.y, report.voxel_mm.z};
+    j["closing_mm"] = report.closing_mm;
+    j["smoothing_mm"] = report.smoothing_mm;
     j["mask_volume_mm3"] = report.mask_volume_mm3;
     j["surface_volume_mm3"] = report.surface_volume_mm3;
     j["surface_area_mm2"] = report.surface_area_mm2;
@@ -82,7 +85,31 @@ Json tets_json(const geometry::TetReport& report)
     return j;
 }
 
+Json tissues_json(const TissueReport& report)
+{
+    Json j;
+    for (std::size_t kind = 0; kind < material::tissue_count; ++kind)
+    {
+        j["volume_mm3"][material::tissue_names[kind]] = report.volume_mm3[kind];
+    }
+    j["cortex_area_share"] = report.cortex_area_share;
+    j["cortex_thickness_mm"] = report.thickness_mm;
+    return j;
+}
+
 } // namespace
+
+std::string describe(const TissueReport& report)
+{
+    std::string volumes;
+    for (std::size_t kind = 0; kind < material::tissue_count; ++kind)
+    {
+        volumes += fmt::format("{}{} {:.4g}", kind == 0 ? "" : ", ", material::tissue_names[kind],
+                               report.volume_mm3[kind] / 1000.0);
+    }
+    return fmt::format("tissues: {} cm3; cortex below {:.3g} % of the outer surface, {:.3g} mm thick there", volumes,
+                       100.0 * report.cortex_area_share, report.thickness_mm);
+}
 
 std::string reports_json(const SourceReports& reports)
 {
@@ -98,6 +125,10 @@ std::string reports_json(const SourceReports& reports)
     if (reports.tets)
     {
         j["tets"] = tets_json(*reports.tets);
+    }
+    if (reports.tissues)
+    {
+        j["tissues"] = tissues_json(*reports.tissues);
     }
     return j.dump();
 }

@@ -10,7 +10,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace corticle::record
 {
@@ -68,6 +70,13 @@ void store_tissue(const material::TissueFields& tissue, const std::string& prefi
     image.scalars[prefix + "growth_onset"] = tissue.growth_onset;
     image.scalars[prefix + "growth_rate"] = tissue.growth_rate;
     image.scalars[prefix + "thickness"] = tissue.thickness;
+    if (!tissue.cortex_inside.empty())
+    {
+        image.scalars[prefix + "cortex_inside"] = tissue.cortex_inside;
+        std::vector<std::int64_t>& kinds = image.integers[prefix + "tissue"];
+        std::ranges::transform(tissue.kind, std::back_inserter(kinds),
+                               [](material::TissueKind kind) { return static_cast<std::int64_t>(kind); });
+    }
 }
 
 material::TissueFields stored_tissue(const Checkpoint& image, const std::string& prefix,
@@ -80,6 +89,12 @@ material::TissueFields stored_tissue(const Checkpoint& image, const std::string&
     tissue.growth_onset = array_of(image.scalars, prefix + "growth_onset", file);
     tissue.growth_rate = array_of(image.scalars, prefix + "growth_rate", file);
     tissue.thickness = array_of(image.scalars, prefix + "thickness", file);
+    if (image.scalars.contains(prefix + "cortex_inside"))
+    {
+        tissue.cortex_inside = array_of(image.scalars, prefix + "cortex_inside", file);
+        std::ranges::transform(array_of(image.integers, prefix + "tissue", file), std::back_inserter(tissue.kind),
+                               [](std::int64_t kind) { return static_cast<material::TissueKind>(kind); });
+    }
     return tissue;
 }
 

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/prepare/labelled_tissue.hpp"
+
+#include "corticle/base/error.hpp"
+#include "corticle/formats/volumes/nifti.hpp"
+#include "corticle/material/layer.hpp"
+#include "corticle/prepare/growth_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace corticle::prepare
+{
+
+namespace
+{
+
+constexpr double smoothing_mm = 0.5; ///< of distances to labels; keeps a plate of two voxels
+constexpr double least_thickness_mm = 0.1;
+
+/// theta of the smooth step with the boundary where the labels have it: y - H is minus the distance inside.
+double labelled_theta(double inside, double thickness)
+{
+    return thickness < least_thickness_mm ? 0.0 : 1.0 / (1.0 + std::exp(-10.0 * inside / thickness));
+}
+
+/// theta of every point.
+std::vector<double> labelled_layer(const material::TissueOptions& options, const material::TissueFields& tissue)
+{
+    if (options.layer == material::Layer::binary)
+    {
+        return material::sharp_layer(tissue.cortex_inside, tissue.volume,
+                                     material::volume_inside(tissue.cortex_inside, tissue.volume));
+    }
+    std::vector<double> theta(tissue.cortex_inside.size());
+    std::ranges::transform(tissue.cortex_inside, tissue.thickness, theta.begin(), labelled_theta);
+    return theta;
+}
+
+/// Sums over the outer surface.
+struct CortexBelow
+{
+    double area = 0.0;
+    double cortex_area = 0.0;
+    double volume = 0.0; ///< area times thickness
+};
+
+CortexBelow cortex_below_surface(const model::Model& model)
+{
+    const std::vector<double> areas = vertex_areas(model.surface.vertices, model.surface.triangles);
+    CortexBelow sums;
+    for (std::size_t v = 0; v < areas.size(); ++v)
+    {
+        const auto particle = static_cast<std::size_t>(model.cloud.surface_particles[v]);
+        sums.area += areas[v];
+        if (model.tissue.cortex_inside[particle] > 0.0)
+        {
+            sums.cortex_area += areas[v];
+            sums.volume += areas[v] * model.tissue.thickness[particle];
+        }
+    }
+    return sums;
+}
+
+} // namespace
+
+imaging::TissueReader read_tissues(const PreparationOptions& options, std::vector<std::string>& notes)
+{
+    const GeometryOptions& geometry = options.geometry;
+    try
+    {
+        imaging::TissueReader reader(formats::read_nifti(geometry.file, {geometry.mask.volume, geometry.coordinates}),
+                                     options.labels, geometry.mask.labels, smoothing_mm);
+        if (!reader.note.empty())
+        {
+            notes.push_back(reader.note);
+        }
+        return reader;
+    }
+    catch (const InputError& error)
+    {
+        const std::string text = error.what();
+        throw InputError(text.starts_with(geometry.file) ? text : fmt::format("{}: {}", geometry.file, text));
+    }
+}
+
+void set_labelled_tissue(const imaging::TissueReader& reader, std::span<const Vec3> places,
+                         material::TissueFields& tissue)
+{
+    imaging::LabelledPoints points = reader.at(places);
+    tissue.kind = std::move(points.tissue);
+    tissue.cortex_inside = std::move(points.cortex_inside);
+    tissue.thickness.resize(places.size());
+    std::ranges::transform(tissue.depth, tissue.cortex_inside, tissue.thickness.begin(),
+                           [](double depth, double inside) { return std::max(0.0, depth + inside); });
+}
+
+void complete_labelled_tissue(const PreparationOptions& options, material::TissueFields& tissue)
+{
+    if (has_labelled_cortex(options))
+    {
+        tissue.given_theta = labelled_layer(options.tissue, tissue);
+    }
+    const bool has_ratio = std::ranges::any_of(options.tissue.bulk_ratio, [](const auto& r) { return r.has_value(); });
+    if (options.tissue.growth_source != material::GrowthSource::keys)
+    {
+        tissue.growth.emplace(growth_rows(options), options.time.clock, options.time.start_week.value(),
+                              options.time.end_week.value());
+    }
+    if (tissue.kind.empty() && (tissue.growth || has_ratio))
+    {
+        tissue.kind.assign(tissue.depth.size(), material::TissueKind::white);
+    }
+}
+
+double labelled_thickness(const model::Model& model)
+{
+    const CortexBelow sums = cortex_below_surface(model);
+    return sums.cortex_area > 0.0 ? sums.volume / sums.cortex_area : 0.0;
+}
+
+TissueReport report_tissues(const model::Model& model)
+{
+    const material::TissueFields& tissue = model.fem ? model.fem->tissue : model.tissue;
+    TissueReport report;
+    for (std::size_t i = 0; i < tissue.kind.size(); ++i)
+    {
+        report.volume_mm3[0] += tissue.given_theta[i] * tissue.volume[i];
+        report.volume_mm3[static_cast<std::size_t>(tissue.kind[i])] += (1.0 - tissue.given_theta[i]) * tissue.volume[i];
+    }
+    const CortexBelow sums = cortex_below_surface(model);
+    report.cortex_area_share = sums.cortex_area / sums.area;
+    report.thickness_mm = labelled_thickness(model);
+    return report;
+}
+
+} // namespace corticle::prepare
