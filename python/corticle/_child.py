@@ -20,7 +20,8 @@ def call(function: str, *arguments: Any) -> Any:
     Raises:
         InputError, RunError: as the function does there; RunError also where the child ends without an answer.
     """
-    environment = {**os.environ, "PYTHONPATH": os.pathsep.join([str(Path(__file__).parents[1]), os.environ.get("PYTHONPATH", "")])}
+    places = [str(Path(__file__).parents[1]), *filter(None, [os.environ.get("PYTHONPATH")])]
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(places)}
     done = subprocess.run([sys.executable, "-m", "corticle._child"], input=json.dumps([function, *arguments]),
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False, env=environment)
     try:

@@ -108,7 +108,7 @@ class Frames(AbstractSequence):  # type: ignore[type-arg]
         if (t is None) == (week is None):
             raise InputError("nearest: expected t or week, and one of them only")
         if t is not None:
-            return min(self._frames, key=lambda frame: abs(frame.t - t))
+            return self._frames[int(np.argmin([abs(frame.t - t) for frame in self._frames]))]
         if any(frame.week is None for frame in self._frames):
             raise InputError("nearest: the run has no weeks (time.clock); expected t, a growth time")
         return min(self._frames, key=lambda frame: abs(frame.week - week))  # type: ignore[operator]

@@ -4,6 +4,8 @@
 `sections.pyi` says the same to type checkers; `python -m corticle.sections` prints it, from the same table.
 """
 
+import keyword
+
 from corticle import _corticle
 
 _TYPES = {"bool": "bool", "int": "int", "float": "float", "str": "str", "list": "Sequence[float]", "integers": "Sequence[int]"}
@@ -11,6 +13,18 @@ _TYPES = {"bool": "bool", "int": "int", "float": "float", "str": "str", "list": 
 
 def _split(key):
     return key.split(".", 1)
+
+
+def attribute(key):
+    """The attribute of a key in its section; one that Python keeps for itself gets an underscore: tissue.lambda_."""
+    name = _split(key)[1]
+    return f"{name}_" if keyword.iskeyword(name) else name
+
+
+def _name(attribute_name):
+    """The key of an attribute within its section."""
+    bare = attribute_name[:-1]
+    return bare if attribute_name.endswith("_") and keyword.iskeyword(bare) else attribute_name
 
 
 class Section:
@@ -24,16 +38,16 @@ class Section:
         object.__setattr__(self, "_case", case)
 
     def __setattr__(self, name, value):
-        self._case[f"{self._name}.{name}"] = value
+        self._case[f"{self._name}.{_name(name)}"] = value
 
     def __delattr__(self, name):
-        del self._case[f"{self._name}.{name}"]
+        del self._case[f"{self._name}.{_name(name)}"]
 
     def __getattr__(self, name):
         if name.startswith("__"):
             raise AttributeError(name)
         try:
-            return self._case[f"{self._name}.{name}"]
+            return self._case[f"{self._name}.{_name(name)}"]
         except ValueError as error:
             raise AttributeError(str(error)) from None
 
@@ -41,7 +55,7 @@ class Section:
         return [*super().__dir__(), *self._keys]
 
     def __repr__(self):
-        return "\n".join([f"[{self._name}]", *(f"{name} = {getattr(self, name)!r}" for name in self._keys)])
+        return "\n".join([f"[{self._name}]", *(f"{_name(name)} = {getattr(self, name)!r}" for name in self._keys)])
 
 
 def _key(row):
@@ -60,7 +74,7 @@ def _sections():
 
 
 def _section_class(name, rows):
-    keys = {_split(row["key"])[1]: _key(row) for row in rows}
+    keys = {attribute(row["key"]): _key(row) for row in rows}
     members = {"__slots__": (), "__doc__": f"The keys of [{name}].", "_name": name, "_keys": tuple(keys), **keys}
     return type(name.capitalize(), (Section,), members)
 
@@ -83,7 +97,7 @@ def _type_of(row):
 
 
 def _stub_of_key(row):
-    name = _split(row["key"])[1]
+    name = attribute(row["key"])
     return [f"    @property\n    def {name}(self) -> {_type_of(row)}: ...",
             f"    @{name}.setter\n    def {name}(self, value: {_type_of(row)}) -> None: ...",
             f"    @{name}.deleter\n    def {name}(self) -> None: ..."]

@@ -5,7 +5,7 @@ import base64
 import html
 import io
 import os
-from typing import Any, Dict, Mapping, Optional, Sequence, Union
+from typing import Any, Dict, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -187,7 +187,7 @@ class Surface:
         picture = "" if png is None else f'<img src="data:image/png;base64,{base64.b64encode(png).decode()}">'
         return f"<p>{html.escape(repr(self)[1:-1])}</p>{picture}<table>{rows}</table>"
 
-    def _plain(self) -> Any:
+    def _plain(self) -> Tuple[FloatArray, IntArray]:
         return np.ascontiguousarray(self._vertices), np.ascontiguousarray(self._triangles)
 
 

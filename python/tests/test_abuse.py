@@ -63,9 +63,9 @@ def test_many_simulations_leak_nothing(body):
             simulation.positions
         gc.collect()
 
-    cycle(200)
+    cycle(50)
     before = resident_mb()
-    cycle(1000)
+    cycle(300)
     assert resident_mb() - before < 20.0  # one simulation takes about 1 MB
 
 
@@ -78,9 +78,9 @@ def test_many_cases_and_errors_leak_nothing():
                 case.geometry.particles = 3
         gc.collect()
 
-    cycle(300)
+    cycle(50)
     before = resident_mb()
-    cycle(3000)
+    cycle(500)
     assert resident_mb() - before < 20.0
 
 
@@ -89,7 +89,7 @@ def test_many_threads_on_one_simulation(body):
     unexpected = []
 
     def hammer():
-        for _ in range(50):
+        for _ in range(10):
             for use in (simulation.step, lambda: simulation.positions, lambda: simulation.J, lambda: simulation.stress,
                         lambda: simulation.surface, lambda: simulation.run(every=0.005, on_output=lambda s: s.positions)):
                 try:

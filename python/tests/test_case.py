@@ -9,12 +9,13 @@ import pytest
 
 import corticle
 from corticle import Case, InputError
+from corticle.sections import attribute
 
 
 def test_every_key_is_an_attribute_with_a_docstring():
     case = Case()
     for row in corticle.parameters():
-        section, name = row["key"].split(".")
+        section, name = row["key"].split(".")[0], attribute(row["key"])
         owner = getattr(case, section)
         assert getattr(owner, name) == case[row["key"]]
         assert row["sentence"] in getattr(type(owner), name).__doc__
@@ -24,6 +25,8 @@ def test_what_is_set_is_read_back_and_in_the_toml():
     case = Case.sphere(particles=2000)
     case.tissue.alpha_t = 1.25
     case["time.end"] = np.float64(0.5)
+    case.tissue.lambda_ = 0.8
+    assert case["tissue.lambda"] == case["lambda"] == 0.8
     assert (case.geometry.particles, case.tissue.alpha_t, case.time.end) == (2000, 1.25, 0.5)
     assert Case.from_toml(case.to_toml()) == case
 

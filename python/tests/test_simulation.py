@@ -327,16 +327,29 @@ def test_growth_at_particles(body):
     assert (again.thickness == 4.0).all() and (again.positions == body.positions).all()
 
 
-def test_a_failing_run_says_where():
-    case = small_case(**{"tissue.alpha_t": 10.0, "solver.loading_time": 1.0, "time.end": 1.0, "solver.max_halvings": 0})
-    simulation = corticle.Simulation(corticle.prepare(case))
+def test_a_failing_run_says_where(body):
+    case = body.case
+    case.solver.max_halvings = 0
+    simulation = corticle.Simulation(body, case)
+    struck = int(body.surface_particles[0])
+    strength = [0.0]
+
+    def blow(t, x, v):
+        forces = np.zeros_like(x)
+        forces[struck] = -strength[0] * x[struck]
+        return forces
+
+    simulation.add_force(blow)
+    simulation.step()
+    strength[0] = 1e9
     with pytest.raises(corticle.RunError) as failure:
         simulation.run()
     assert failure.value.step == simulation.steps + 1
     assert failure.value.t >= simulation.t
-    assert failure.value.particle is None or 0 <= failure.value.particle < len(simulation.body)
+    assert 0 <= failure.value.particle < len(body)
+    assert f"step {failure.value.step}" in str(failure.value)
     assert np.isfinite(simulation.positions).all()
-    assert pickle.loads(pickle.dumps(failure.value)).step == failure.value.step
+    assert pickle.loads(pickle.dumps(failure.value)).particle == failure.value.particle
 
 
 def test_threads_change_no_bit(body):

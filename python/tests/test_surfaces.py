@@ -114,9 +114,9 @@ def test_a_body_from_arrays_with_maps(body):
     right = surface.vertices[:, 0] > 0.0
     made = corticle.prepare(surface.vertices, surface.triangles, growth=np.where(right, 2.0, 1.0), thickness=np.full(len(right), 3.0),
                             particles=1000)
-    assert made.source == "surface" and (made.thickness == 3.0).all()
+    assert made.source == "surface" and np.allclose(made.thickness, 3.0)
     assert made.growth.min() == pytest.approx(1.0) and made.growth.max() == pytest.approx(2.0)
-    assert (made.growth[made.positions[:, 0] > 4.0] == 2.0).all()
+    assert np.allclose(made.growth[made.positions[:, 0] > 4.0], 2.0)
     regions = corticle.prepare(surface, regions=np.where(right, 5, 7), region_growth={5: 0.0, 7: 1.5}, particles=1000)
     assert set(np.unique(regions.growth)) == {0.0, 1.5}
     with pytest.raises(InputError, match="growth"):
