@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page of a comparison: two runs, or a run and real brains.
 import { Body } from "./body.mjs";
-import { choice, element, field, section, table } from "./elements.mjs";
+import { choice, element, field, legend, section, table } from "./elements.mjs";
 import { linkedPlot } from "./measures.mjs";
 import { capital, shown, withUnit } from "./numbers.mjs";
 import { Outlines } from "./outlines.mjs";
 import { Picker } from "./pick.mjs";
-import { legend } from "./plot.mjs";
 import { viewerOrPictures } from "./run.mjs";
 import { Viewer } from "./viewer.mjs";
 import { warningsSection } from "./facts.mjs";
+
+const wide = { width: 560, height: 240 };
 
 function percentText(value) {
     return value === null || value === undefined ? "" : `${value > 0 ? "+" : ""}${shown(value, 3)} %`;
@@ -22,8 +23,8 @@ function distanceSection(content, viewer) {
     const columns = keys.map(([key, label]) => ({ label, values: content.frames.map((frame) => frame[key]) }));
     const axis = { label: "growth time t", values: t, t };
     return section("Distance of the surfaces", element("p", { class: "hint" }, "From the vertices of each surface to the other one, both ways together."),
-        element("div", { class: "plots wide" }, linkedPlot(viewer, axis, "Distance [mm]", columns, ""),
-            linkedPlot(viewer, axis, "Mean difference of J", [{ label: "J", values: content.frames.map((frame) => frame.J_mean_difference) }], "")));
+        element("div", { class: "plots wide" }, linkedPlot(viewer, axis, "Distance [mm]", columns, "", wide),
+            linkedPlot(viewer, axis, "Mean difference of J", [{ label: "J", values: content.frames.map((frame) => frame.J_mean_difference) }], "", wide)));
 }
 
 function runsMeasures(content, viewer) {

@@ -52,6 +52,11 @@ export function copyable(paragraphs) {
     return element("div", {}, button, body);
 }
 
+/** Names of curves with their colours. */
+export function legend(labels) {
+    return element("div", { class: "legend" }, labels.map((label, k) => element("span", {}, element("i", { class: `swatch line-${k}` }), label)));
+}
+
 /** A section with a heading. */
 export function section(title, ...children) {
     return element("section", { class: "card" }, element("h2", {}, title), ...children);

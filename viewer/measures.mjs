@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Plots of measures against time, linked to it.
 import { capital, shown, withUnit } from "./numbers.mjs";
-import { element, section } from "./elements.mjs";
-import { legend, moveNow, plot } from "./plot.mjs";
+import { element, legend, section } from "./elements.mjs";
+import { moveNow, plot } from "./plot.mjs";
 
 const groups = ["Folds", "Size", "Tissue", "Energy and balance", "Steps and checks"];
 const energies = ["work_growth", "energy_elastic", "energy_dissipated", "energy_zero_mode", "energy_kinetic", "energy_contact"];
@@ -36,8 +36,8 @@ export function linkedPlot(viewer, axis, title, columns, sentence, size, hasLege
     const curves = columns.map((column) => ({ label: columns.length > 1 ? column.label : "", x: column.x || axis.values, y: column.values, isPoints: column.isPoints }));
     const { svg, frame } = plot(curves, { xLabel: axis.label, description: `${title} against ${axis.label}`, size });
     const figure = element("figure", { class: "measure", title: sentence || undefined });
-    figure.innerHTML = `<figcaption></figcaption>${columns.length > 1 && !hasLegend ? legend(columns.map((column) => column.label)) : ""}${svg}`;
-    figure.firstChild.textContent = title;
+    figure.innerHTML = svg;
+    figure.prepend(element("figcaption", {}, title), ...(columns.length > 1 && !hasLegend ? [legend(columns.map((column) => column.label))] : []));
     const picture = figure.querySelector("svg");
     figure.addEventListener("click", (event) => {
         const index = event.target.dataset?.index;

@@ -97,11 +97,6 @@ export function plot(curves, { xLabel = "", yLabel = "", description = "", size 
     return { svg: `${text}</svg>`, frame };
 }
 
-/** Names of curves with their colours, as HTML. */
-export function legend(labels) {
-    return `<div class="legend">${labels.map((label, k) => `<span><i class="swatch line-${k}"></i>${escaped(label)}</span>`).join("")}</div>`;
-}
-
 /** Puts the line of the present time at x. */
 export function moveNow(svg, frame, x) {
     const at = frame.toX(Math.min(Math.max(x, frame.x[0]), frame.x[1])).toFixed(1);

@@ -10,6 +10,7 @@ const cortexColor = "#c4604f";
 const whiteColor = "#e9e6df";
 const nothingCut = [0, 0, 0, 1];
 const missingValue = 1e30;
+const roomForBar = 112; // right of several panes
 
 /** Why a browser cannot draw; empty where it can. */
 export function reasonForNoWebGL() {
@@ -177,6 +178,7 @@ export class Stage {
         this.onDraw = onDraw;
         this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, stencil: true, preserveDrawingBuffer: true });
         this.renderer.setClearColor(0xffffff, 1);
+        this.renderer.clear();
         this.shared = { palette: { value: null }, range: { value: new THREE.Vector2(0, 1) } };
         this.panes = bodies.map((body) => new Pane(body, this.shared));
         this.camera = new THREE.OrthographicCamera(-1, 1, 1, -1, 0.1, 10);
@@ -239,7 +241,7 @@ export class Stage {
             return k === this.alone ? { x: 0, y: 0, width: this.width, height: this.height } : { x: 0, y: 0, width: 0, height: 0 };
         }
         const rows = Math.ceil(this.panes.length / this.columns);
-        const width = this.width / this.columns, height = this.height / rows;
+        const width = (this.width - (this.panes.length > 1 ? roomForBar : 0)) / this.columns, height = this.height / rows;
         return { x: (k % this.columns) * width, y: Math.floor(k / this.columns) * height, width, height };
     }
 
@@ -279,8 +281,12 @@ export class Stage {
 
     render() {
         if (!this.panes.every((pane) => pane.points)) {
+            this.renderer.setScissorTest(false);
+            this.renderer.clear();
             return;
         }
+        this.renderer.setScissorTest(false);
+        this.renderer.clear();
         this.renderer.setScissorTest(true);
         this.panes.forEach((pane, k) => {
             const { x, y, width, height } = this.rectangle(k);
