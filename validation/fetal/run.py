@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A real fetal brain grown from 23 to 38 weeks with three sets of parameters, beside the length law of real brains.
+"""A real fetal brain grown to 38 weeks by the fetal growth law, beside real brains week by week.
 
-Tissue labels of 23 weeks are given by --labels-file or $CORTICLE_BRAIN_LABELS. Runs are made with $CORTICLE into
-$CORTICLE_OUT (uniform, thinning, regional), or read with --runs.
+Tissue labels of a start week are given by --labels-file (or $CORTICLE_BRAIN_LABELS) and --week; later brains, for where the
+folds are, by --later FILE@WEEK. The run is made with $CORTICLE into $CORTICLE_OUT, or read with --runs.
 """
 
 import argparse
+import json
 import os
+import subprocess
 import sys
 from pathlib import Path
 
@@ -16,191 +18,157 @@ sys.path.insert(0, str(HERE.parent))
 
 import _runs  # noqa: E402
 
-START, END = 23, 38
 MOST_OVERLAP = 0.001
-LEAST_RISE = 1.05 # of the hull index: sulci have formed
 
-# Of the brain of 23 weeks, measured on a marching-cubes surface of its labels: cm³, mm, cm², area over that of the hull.
-REAL_AT_START = {"volume_cm3": 63.0, "length_mm": 64.3, "area_cm2": 113.0, "gi_hull": 1.18}
-LENGTH_TOLERANCE_MM = 3.0 # how well real brains from 23 to 38 weeks follow eq. 16
-
-# Published growth of the volume: supratentorial, 48 scans of weeks 20.6 to 31.1, 15.22 % a week (Scott et al. 2011, Int. J.
-# Dev. Neurosci. 29); whole brain, third trimester, 2.3 ml a day (Gong et al. 1998, Magn. Reson. Imaging 16).
-RATES = {"real": (15.22, 2.3)}
-EARLY, LATE = (23, 31), (28, 38)
-
-SETS = {
-    "uniform": ("cortex of 2.5 mm, as in the image, everywhere", []),
-    "thinning": ("2.5 mm + 0.3 t, kept in mm while the brain lengthens",
-                 ["tissue.thickness_rate_mm=0.3", "size.thin_cortex=true"]),
-    "regional": ("2.5 mm; ventricles, deep grey matter and hippocampi do not grow", []),
+# Labels of an atlas (CHN fetal atlas, cerebrum without cerebellum and brainstem; averaged brains, so that area and index are
+# lower bounds of individuals'), measured by `corticle measure`; cortex by voxels, thickness by volume over the mean area of the
+# two surfaces of the cortex.
+TARGETS = {
+    "volume_cm3": {23: 62.7, 25: 84, 27: 114, 28: 128.0, 29: 143, 31: 172, 33: 201.8, 34: 226.8, 36: 280.4, 38: 312.8},
+    "length_mm": {23: 64.0, 24: 69.6, 26: 75.2, 28: 80.1, 30: 88.2, 32: 94.8, 33: 95.8, 34: 100.0, 36: 105.5, 38: 107.2},
+    "area_cm2": {23: 112.6, 25: 143, 27: 170, 28: 189.6, 29: 209, 31: 242, 33: 279.4, 34: 297.9, 36: 351.0, 38: 368.3},
+    "gi_hull": {23: 1.180, 24: 1.201, 26: 1.209, 28: 1.263, 30: 1.324, 32: 1.354, 33: 1.359, 34: 1.336, 36: 1.376, 38: 1.358},
+    "sulcal_depth_mean_mm": {23: 3.53, 24: 3.77, 26: 3.64, 28: 4.12, 30: 4.81, 32: 4.91, 33: 4.98, 34: 5.03, 36: 5.56, 38: 5.61},
+    "cortex_cm3": {23: 18.6, 25: 25.9, 27: 37.2, 28: 42.3, 29: 49.5, 31: 61.7, 33: 74.9, 34: 83.6, 36: 108.5, 38: 118.8},
+    "cortex_thickness_mm": {23: 1.71, 25: 1.89, 27: 2.23, 29: 2.39, 31: 2.49, 34: 2.56, 36: 2.63, 38: 2.73},
 }
-
-
-def law_length(week):
-    """Thesis eq. 16, Wang et al. 2019 [mm]."""
-    return -0.067 * week**2 + 7.16 * week - 66.05
+WEEKS = (25, 27, 28, 29, 31, 33, 34, 36, 38)
+# How near a grown brain is to come: (heading, key, tolerance, whether in per cent).
+WANTED = (("length mm", "length_mm", 4, True), ("volume cm³", "volume_cm3", 7, True), ("area cm²", "area_cm2", 8, True),
+          ("hull index", "gi_hull", 0.06, False), ("cortex cm³", "cortex_cm3", 10, True),
+          ("thickness mm", "cortex_thickness_mm", 0.3, False), ("mean depth mm", "sulcal_depth_mean_mm", None, True))
+# Of individuals (normative curves of King's College, SVRTK), w in weeks: mean and standard deviation.
+NORMS = {"cortex_cm3": (lambda w: 0.3052 * w**2 - 11.828 * w + 123, lambda w: 0.01647 * w**2 - 0.477 * w + 3.769),
+         "length_mm": (lambda w: -0.0781 * w**2 + 7.7234 * w - 75.3, lambda w: 0.1277 * w - 0.93)}
 
 
 def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--command", type=Path, default=os.environ.get("CORTICLE", _runs.ROOT / "build/release/bin/corticle"))
     parser.add_argument("--out", type=Path, default=os.environ.get("CORTICLE_OUT", _runs.ROOT / "runs/validation/fetal"),
-                        help="where runs are written")
-    parser.add_argument("--runs", type=Path, help="folder of existing runs: only read, nothing is run")
+                        help="where the run is written")
+    parser.add_argument("--runs", type=Path, help="folder of an existing run: only read, nothing is run")
     parser.add_argument("--results", type=Path, default=HERE, help="where results.md and results.json are written")
-    parser.add_argument("--particles", type=int, default=60000)
+    parser.add_argument("--particles", type=int, default=120000)
     parser.add_argument("--labels-file", type=Path, default=os.environ.get("CORTICLE_BRAIN_LABELS"))
-    parser.add_argument("--labels", type=int, nargs="+", default=[2, 3, 5, 7, 9], help="labels that are the body")
-    parser.add_argument("--still", type=int, nargs="+", default=[5, 7, 9], help="labels that do not grow in the regional run")
+    parser.add_argument("--week", type=float, default=23, help="of the labels")
+    parser.add_argument("--labels", default="2,3,5,7,9", help="labels that are the body")
+    for tissue, default in (("cortex", "2"), ("white", "3"), ("deep", "7,9"), ("ventricle", "5")):
+        parser.add_argument(f"--{tissue}", default=default, help="labels of that tissue")
+    parser.add_argument("--later", nargs="*", default=[], help="labels of later brains, FILE@WEEK")
     return parser.parse_args()
 
 
-def region_table(arguments, folder):
-    """Growth of every label: 0 of what is still, else 1."""
-    folder.mkdir(parents=True, exist_ok=True)
-    file = folder / "regions.csv"
-    lines = [f"{label},{0 if label in arguments.still else 1}" for label in range(256)]
-    file.write_text("\n".join(["label,growth", *lines]) + "\n", encoding="utf-8")
-    return file
+def make_run(arguments):
+    settings = [f"geometry.file={Path(arguments.labels_file).resolve()}", f"geometry.labels=[{arguments.labels}]",
+                f"geometry.particles={arguments.particles}", f"time.start_week={float(arguments.week)}"]
+    settings += [f"tissue.labels.{tissue}=[{getattr(arguments, tissue)}]" for tissue in ("cortex", "white", "deep", "ventricle")]
+    weeks = [float(week) for week in range(20, 38) if week > arguments.week]
+    _runs.make_run(arguments, _runs.ROOT / "cases/fetal.toml", Path(arguments.out), [*settings, f"output.weeks={weeks}"])
 
 
-def make_runs(arguments):
-    """The three runs; they are gone on with where they stopped."""
-    file, out = Path(arguments.labels_file).resolve(), Path(arguments.out).resolve()
-    labels = ",".join(map(str, arguments.labels))
-    common = [f"geometry.file={file}", f"geometry.labels=[{labels}]", f"geometry.particles={arguments.particles}",
-              'size.applies_to="reference"']
-    for name, (_, settings) in SETS.items():
-        maps = [f"map.region_file={file}", f"map.region_table={region_table(arguments, out)}"] if name == "regional" else []
-        _runs.make_run(arguments, _runs.ROOT / "cases/fetal.toml", out / name, [*common, *settings, *maps])
+def real(key, week):
+    """Of real brains at a week, linear between those measured."""
+    known = sorted(TARGETS[key].items())
+    for (a, low), (b, high) in zip(known, known[1:]):
+        if a <= week <= b:
+            return low + (high - low) * (week - a) / (b - a)
+    return None
 
 
-def describe(name, folder):
+def describe(folder):
     summary, rows = _runs.read_summary(folder), _runs.read_measures(folder)
     result = {key: summary[key] for key in ("version", "particles", "spacing_mm", "threads", "steps", "rejected_steps",
                                             "zero_mode_share", "onset_t", "wall_s")}
-    result |= {"name": name, "what": SETS[name][0]}
-    result["most_overlap"] = max(row["overlap_area_share"] for row in rows)
-    result["most_penetration_in_spacings"] = max(row["max_penetration_mm"] / row["length_scale"] for row in rows) / summary["spacing_mm"]
-    result["least_J"] = min(row["J_min"] for row in rows)
-    result["weeks"] = [week_of(row, rows[0]) for row in rows]
+    result |= {"most_overlap": max(row["overlap_area_share"] for row in rows), "least_J": min(row["J_min"] for row in rows),
+               "most_intersecting": max(row["intersecting_triangles"] for row in rows),
+               "most_penetration_in_spacings": max(row["max_penetration_mm"] for row in rows) / summary["spacing_mm"]}
+    result["weeks"] = [{"week": row["week"], "volume_cm3": row["volume_mm3"] / 1000, "area_cm2": row["area_mm2"] / 100,
+                        "cortex_cm3": row["cortex_volume_mm3"] / 1000,
+                        **{key: row[key] for key in ("length_mm", "gi_hull", "sulcal_depth_mean_mm", "cortex_thickness_mm")}}
+                       for row in rows]
     return result
 
 
-def week_of(row, first):
-    """One line of the tables. `law_mm` is the length of eq. 16 with this brain's length at the start."""
-    similar = law_length(row["week"]) / law_length(START)
-    law_mm = first["length_mm"] * similar
-    to_law = law_mm / row["length_mm"]
-    return {
-        "week": row["week"], "length_mm": row["length_mm"], "law_mm": law_mm, "eq16_mm": law_length(row["week"]),
-        "volume_cm3": row["volume_mm3"] / 1000, "area_cm2": row["area_mm2"] / 100,
-        "law_volume_cm3": row["volume_mm3"] / 1000 * to_law**3, "law_area_cm2": row["area_mm2"] / 100 * to_law**2,
-        "similar_volume_cm3": first["volume_mm3"] / 1000 * similar**3, "similar_area_cm2": first["area_mm2"] / 100 * similar**2,
-        "gi_hull": row["gi_hull"], "gi_zilles": row["gi_zilles"], "gi_sphere": row["gi_sphere"],
-        "sulcal_depth_mean_mm": row["sulcal_depth_mean_mm"], "thickness_mean_mm": row["thickness_mean_mm"],
-    }
+def difference(line, key, is_percent):
+    wanted = real(key, line["week"])
+    if wanted is None:
+        return None
+    return 100 * (line[key] / wanted - 1) if is_percent else line[key] - wanted
+
+
+def shown(line, key, tolerance, is_percent):
+    got = difference(line, key, is_percent)
+    if got is None:
+        return f"{line[key]:.3g}"
+    text = f"{line[key]:.4g} ({got:+.1f} %)" if is_percent else f"{line[key]:.3f} ({got:+.3f})"
+    return f"**{text}**" if tolerance is not None and abs(got) > tolerance else text
 
 
 def week_table(result):
-    forms = [("week", "week", ".0f"), ("length mm", "length_mm", ".1f"), ("by eq. 16", "law_mm", ".1f"),
-             ("volume cm³", "volume_cm3", ".0f"), ("at that length", "law_volume_cm3", ".0f"), ("similar", "similar_volume_cm3", ".0f"),
-             ("area cm²", "area_cm2", ".0f"), ("at that length", "law_area_cm2", ".0f"), ("similar", "similar_area_cm2", ".0f"),
-             ("hull index", "gi_hull", ".3f"), ("Zilles", "gi_zilles", ".3f"), ("mean depth mm", "sulcal_depth_mean_mm", ".2f"),
-             ("cortex mm", "thickness_mean_mm", ".2f")]
-    columns = [(heading, lambda line, key=key: line[key], form) for heading, key, form in forms]
-    return f"{result['what']}.\n\n" + _runs.table(columns, result["weeks"])
+    lines = [line for line in result["weeks"] if round(line["week"]) in WEEKS or line is result["weeks"][0]]
+    columns = [("week", lambda line: f"{line['week']:.0f}", "s")]
+    columns += [(heading, lambda line, k=key, t=tolerance, p=percent: shown(line, k, t, p), "s")
+                for heading, key, tolerance, percent in WANTED]
+    limits = ", ".join(f"{heading.split(' ')[0]} {tolerance:g}{' %' if percent else ''}" for heading, _, tolerance, percent in WANTED
+                       if tolerance is not None)
+    return f"Run (run less real). Bold: outside the tolerance ({limits}).\n\n" + _runs.table(columns, lines)
 
 
-def start_table(results):
-    """The first surface beside the real brain it was made from."""
-    lines = [{"key": "real, marching cubes"} | REAL_AT_START, {"key": "body of the run"} | results[0]["weeks"][0]]
-    return _runs.table([("", lambda line: line["key"], "s")] +
-                       [(heading, lambda line, key=key: line[key], form) for heading, key, form in (
-                           ("volume cm³", "volume_cm3", ".1f"), ("length mm", "length_mm", ".1f"), ("area cm²", "area_cm2", ".1f"),
-                           ("hull index", "gi_hull", ".3f"))], lines)
+def norm_table(result):
+    """How many standard deviations of individuals the run is from their mean."""
+    columns = [("week", lambda line: f"{line['week']:.0f}", "s")]
+    columns += [(key, lambda line, m=mean, s=deviation, k=key: (line[k] - m(line["week"])) / s(line["week"]), "+.1f")
+                for key, (mean, deviation) in NORMS.items()]
+    return _runs.table(columns, [line for line in result["weeks"] if round(line["week"]) in WEEKS])
 
 
-def rates(result, key):
-    """(% a week in the early span, ml a day in the late one) of a volume."""
-    volumes = {round(line["week"]): line[key] for line in result["weeks"]}
-    if not {*EARLY, *LATE} <= set(volumes):
-        return None
-    weekly = (volumes[EARLY[1]] / volumes[EARLY[0]]) ** (1 / (EARLY[1] - EARLY[0])) - 1
-    return 100 * weekly, (volumes[LATE[1]] - volumes[LATE[0]]) / (7 * (LATE[1] - LATE[0]))
+def patterns(arguments, folder):
+    """Scores of where the folds are, by real brain; [] without later brains."""
+    if not arguments.later:
+        return []
+    words = [str(arguments.command), "compare", str(folder), *arguments.later, "--labels", arguments.labels, "--json"]
+    done = subprocess.run(words, check=True, capture_output=True, text=True)
+    return [{"name": f"week {entry['week']:g}", **entry["pattern"]} for entry in json.loads(done.stdout)["reals"] if "pattern" in entry]
 
 
-def rate_table(results):
-    """Growth of the volume beside what was measured on real brains."""
-    lines = [("real brains (Scott et al. 2011; Gong et al. 1998)", RATES["real"])]
-    for result in results:
-        lines += [(f"{result['name']}", rates(result, "volume_cm3")),
-                  (f"{result['name']}, at the length of eq. 16", rates(result, "law_volume_cm3"))]
-    lines.append(("eq. 16 without a change of shape", rates(results[0], "similar_volume_cm3")))
-    return _runs.table([("", lambda line: line[0], "s"), ("weeks 23 to 31, % a week", lambda line: line[1][0], ".1f"),
-                        ("weeks 28 to 38, ml a day", lambda line: line[1][1], ".2f")], [line for line in lines if line[1]])
+def pattern_table(found):
+    lines = [{"brain": entry["name"], "pattern": name, **scores} for entry in found for name, scores in entry["scores"].items()]
+    keys = ("depth_partial", "curvature_partial", "sulcal_dice", "pits_within_5mm", "pits_within_10mm")
+    columns = [("real brain", lambda line: line["brain"], "s"), ("pattern", lambda line: line["pattern"], "s")]
+    return _runs.table(columns + [(key, lambda line, k=key: line[k], ".3f") for key in keys], lines)
 
 
-def end_table(results):
-    def last(key):
-        return lambda result: result["weeks"][-1][key]
-
-    def rise(key):
-        return lambda result: result["weeks"][-1][key] / result["weeks"][0][key]
-
-    def most_off(result):
-        return max((line["length_mm"] - line["law_mm"] for line in result["weeks"]), key=abs)
-
-    return _runs.table([("set", lambda r: r["name"], "s"), ("longer than eq. 16 by, at most, mm", most_off, "+.1f"),
-                        ("volume x", rise("volume_cm3"), ".2f"), ("area x", rise("area_cm2"), ".2f"),
-                        ("area / volume^(2/3) x", rise("gi_sphere"), ".3f"), ("hull index x", rise("gi_hull"), ".3f"),
-                        ("hull index", last("gi_hull"), ".3f"), ("Zilles", last("gi_zilles"), ".3f")], results)
-
-
-def findings(results):
-    """What agrees and what does not, in words that follow from the numbers."""
-    lines = []
-    for result in results:
-        weeks = result["weeks"]
-        off = [line["week"] for line in weeks if abs(line["length_mm"] - line["law_mm"]) > LENGTH_TOLERANCE_MM]
-        lines.append(f"- {result['name']}: length within {LENGTH_TOLERANCE_MM:g} mm of eq. 16 " +
-                     ("at all weeks." if not off else f"until week {min(off) - 1:.0f}, not after."))
-        surplus = weeks[-1]["area_cm2"] / weeks[0]["area_cm2"] / (weeks[-1]["volume_cm3"] / weeks[0]["volume_cm3"])**(2 / 3)
-        lines.append(f"- {result['name']}: area grows {surplus:.2f} times as much as without a change of shape; the hull index "
-                     f"goes from {weeks[0]['gi_hull']:.2f} to {weeks[-1]['gi_hull']:.2f}.")
-    return "\n".join(lines) + "\n"
-
-
-def problems(results):
-    for result in results:
-        for fault in _runs.faults(result, MOST_OVERLAP):
-            yield f"{result['name']}: {fault}"
-        rise = result["weeks"][-1]["gi_hull"] / result["weeks"][0]["gi_hull"]
-        if rise < LEAST_RISE:
-            yield f"{result['name']}: the hull index rises by a factor of {rise:.3f}, expected {LEAST_RISE} at least"
-    for name in SETS:
-        if name not in [result["name"] for result in results]:
-            yield f"{name}: no complete run"
+def problems(result):
+    yield from _runs.faults(result, MOST_OVERLAP)
+    if result["most_intersecting"] > 0:
+        yield f"{result['most_intersecting']:.0f} intersecting triangles"
+    for line in result["weeks"]:
+        for heading, key, tolerance, is_percent in WANTED:
+            got = difference(line, key, is_percent)
+            if tolerance is not None and got is not None and round(line["week"]) in WEEKS and abs(got) > tolerance:
+                yield f"week {line['week']:.0f}: {heading} differs by {got:+.3g}{' %' if is_percent else ''}"
 
 
 def main():
     arguments = parse_arguments()
     if not arguments.labels_file and not arguments.runs:
-        print("skipped: no labels; give those of a brain of 23 weeks by --labels-file or CORTICLE_BRAIN_LABELS")
+        print("skipped: no labels; give those of a fetal brain by --labels-file or CORTICLE_BRAIN_LABELS")
         sys.exit(_runs.SKIPPED)
     if not arguments.runs:
-        make_runs(arguments)
-    base = Path(arguments.runs or arguments.out)
-    results = [describe(name, base / name) for name in SETS if _runs.is_complete(base / name)]
-    if not results:
+        make_run(arguments)
+    folder = Path(arguments.runs or arguments.out)
+    if not _runs.is_complete(folder):
         sys.exit("no complete run")
-    _runs.write_results(arguments.results, "A fetal brain from 23 to 38 weeks", results,
-                        [("Before growth", start_table(results)), ("From 23 to 38 weeks", end_table(results)),
-                         ("How fast the volume grows", rate_table(results)),
-                         ("Findings", findings(results)), *((result["name"], week_table(result)) for result in results),
-                         ("Controls", _runs.control_table(results))])
-    _runs.finish([*problems(results)])
+    result = describe(folder)
+    sections = [("Week by week", week_table(result)), ("Standard deviations of individuals", norm_table(result))]
+    found = patterns(arguments, folder)
+    if found:
+        result["patterns"] = found
+        sections.append(("Where the folds are", pattern_table(found)))
+    sections.append(("Controls", _runs.control_table([result])))
+    _runs.write_results(arguments.results, f"A fetal brain from {result['weeks'][0]['week']:.0f} to 38 weeks", [result], sections)
+    _runs.finish([*problems(result)])
 
 
 if __name__ == "__main__":

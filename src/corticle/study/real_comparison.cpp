@@ -96,8 +96,14 @@ RealSurface measure_real(const std::string& name, const Axis& axis, const RealSu
             fmt::format("{}: the run has no weeks (no clock); expected FILE@t=T with a growth time", name));
     }
     RealSurfaceReading reading = read_real_surface(place.file, options);
-    return {name, place.is_week ? place.value : axis.place_of_t(place.value), surface_rows(reading),
-            std::move(reading.notes), std::move(reading.warnings)};
+    std::vector<metrics::SurfaceRow> rows = surface_rows(reading);
+    return {name,
+            place.is_week ? place.value : axis.place_of_t(place.value),
+            std::move(reading.surface),
+            std::move(rows),
+            std::nullopt,
+            std::move(reading.notes),
+            std::move(reading.warnings)};
 }
 
 void require_common_places(const RealComparison& comparison)
@@ -117,14 +123,36 @@ void require_common_places(const RealComparison& comparison)
     }
 }
 
-std::vector<metrics::SurfaceRow> measure_frame(const record::FrameFiles& frame)
+TriangleMesh surface_of_frame(const record::FrameFiles& frame)
 {
-    const TriangleMesh surface = formats::read_surface_vtp(frame.surface).mesh;
+    TriangleMesh surface = formats::read_surface_vtp(frame.surface).mesh;
     if (surface.triangles.empty() || !std::all_of(surface.vertices.begin(), surface.vertices.end(), is_finite))
     {
         throw InputError(fmt::format("{}: not a surface with finite coordinates", frame.surface.string()));
     }
-    return metrics::surface_rows(surface.vertices, surface.triangles);
+    return surface;
+}
+
+metrics::SurfaceView view_of(const TriangleMesh& mesh)
+{
+    return {mesh.vertices, mesh.triangles};
+}
+
+/// Patterns of folds at the outputs nearest to the real surfaces that the run reaches.
+void set_patterns(const std::vector<TriangleMesh>& surfaces, RealComparison& comparison)
+{
+    for (RealSurface& real : comparison.reals)
+    {
+        if (real.place < comparison.places.front() || real.place > comparison.places.back())
+        {
+            continue;
+        }
+        const auto nearest =
+            std::ranges::min_element(comparison.places, {}, [&](double place) { return std::abs(place - real.place); });
+        const auto k = static_cast<std::size_t>(nearest - comparison.places.begin());
+        real.pattern = {metrics::fold_pattern(view_of(surfaces.front()), view_of(surfaces[k]), view_of(real.surface)),
+                        *nearest};
+    }
 }
 
 } // namespace
@@ -181,10 +209,13 @@ RealComparison compare_with_real(const ComparisonRequest& request)
             fmt::format("{}: measures.csv covers none of the frames; expected a row for each", request.run.string()));
     }
     require_common_places(result);
+    std::vector<TriangleMesh> surfaces;
     for (const record::FrameFiles& frame : frames)
     {
-        result.run_rows.push_back(measure_frame(frame));
+        surfaces.push_back(surface_of_frame(frame));
+        result.run_rows.push_back(metrics::surface_rows(surfaces.back().vertices, surfaces.back().triangles));
     }
+    set_patterns(surfaces, result);
     return result;
 }
 

@@ -4,6 +4,9 @@
 #include "corticle/metrics/surface_rows.hpp"
 #include "corticle/record/run_reader.hpp"
 #include "corticle/study/comparison.hpp"
+#include "corticle/study/pattern_report.hpp"
+
+#include <optional>
 
 namespace corticle::study
 {
@@ -13,9 +16,11 @@ struct RealSurface
 {
     std::string name;   ///< as given: FILE@WEEK or FILE@t=T
     double place = 0.0; ///< on the axis of the comparison
+    TriangleMesh surface;
     std::vector<metrics::SurfaceRow> rows;
-    std::vector<std::string> notes;    ///< of its file, one line each
-    std::vector<std::string> warnings; ///< the same
+    std::optional<PlacedPattern> pattern; ///< of the run beside it; none where the run does not reach it
+    std::vector<std::string> notes;       ///< of its file, one line each
+    std::vector<std::string> warnings;    ///< the same
 };
 
 /// A run beside real surfaces, all measured alike.

@@ -58,7 +58,8 @@ std::string real_section(const RealComparison& comparison, const RealSurface& re
         rows.push_back({fmt::format("`{}`", real.rows[k].key), real.rows[k].unit, table_number(real.rows[k].value),
                         table_number(run), shown_difference(real.rows[k], run)});
     }
-    return text + markdown_table({"measure", "unit", "real", "run", "run less real"}, rows);
+    text += markdown_table({"measure", "unit", "real", "run", "run less real"}, rows);
+    return real.pattern ? text + pattern_section(*real.pattern, comparison.axis) : text;
 }
 
 Json real_json(const RealComparison& comparison, const RealSurface& real)
@@ -76,6 +77,10 @@ Json real_json(const RealComparison& comparison, const RealSurface& real)
             {"run", run},
             {"difference", run - real.rows[k].value},
             {"difference_percent", metrics::telling_percent(real.rows[k].key, real.rows[k].value, run)}};
+    }
+    if (real.pattern)
+    {
+        json["pattern"] = pattern_json(*real.pattern, comparison.axis);
     }
     json["notes"] = real.notes;
     json["warnings"] = real.warnings;
@@ -185,6 +190,7 @@ std::string comparison_summary(const RealComparison& comparison)
             text += fmt::format("  {:<20}{:>12}{:>12}   {}\n", real.rows[k].key, table_number(real.rows[k].value),
                                 table_number(run), shown_difference(real.rows[k], run));
         }
+        text += real.pattern ? pattern_lines(*real.pattern) : "";
     }
     return text;
 }
