@@ -5,6 +5,8 @@
 
 #include <unistd.h>
 
+#include <atomic>
+
 namespace corticle::python
 {
 
@@ -14,6 +16,8 @@ namespace
 // Of the process, as the threads of OpenMP are. Read and written with the GIL.
 pid_t worked_in = 0;
 int wanted_threads = 0;
+std::atomic<int> works = 0;
+std::atomic<bool> leaving = false;
 
 [[noreturn]] void raise_runtime_error(const char* message)
 {
@@ -31,11 +35,23 @@ void require_own_threads()
     worked_in = ::getpid();
 }
 
+/// The interpreter ends: what of a daemon thread is still to do is not done.
+[[noreturn]] void raise_exit()
+{
+    PyErr_SetNone(PyExc_SystemExit);
+    throw py::error_already_set();
+}
+
 } // namespace
 
 Work::Work() : threads_before_(thread_count())
 {
+    if (leaving)
+    {
+        raise_exit();
+    }
     require_own_threads();
+    ++works;
     set_thread_count(wanted_threads);
     released_.emplace();
 }
@@ -44,6 +60,7 @@ Work::~Work()
 {
     released_.reset();
     set_thread_count(threads_before_);
+    --works;
 }
 
 WorkIn::WorkIn(Activity& activity, bool moves) : activity_(activity), before_(activity)
@@ -84,11 +101,15 @@ Poll::~Poll()
 void Poll::operator()(double t, std::int64_t steps)
 {
     constexpr auto interval = std::chrono::milliseconds(50);
-    if (Clock::now() - last_ < interval)
+    if (Clock::now() - last_ < interval && !leaving)
     {
         return;
     }
     const py::gil_scoped_acquire locked;
+    if (leaving)
+    {
+        raise_exit();
+    }
     if (PyErr_CheckSignals() != 0)
     {
         throw py::error_already_set();
@@ -98,6 +119,22 @@ void Poll::operator()(double t, std::int64_t steps)
         tell_(t, steps);
     }
     last_ = Clock::now();
+}
+
+void leave()
+{
+    constexpr auto patience = std::chrono::seconds(60); // of callbacks that do not come back
+    leaving = true;
+    if (worked_in != ::getpid())
+    {
+        return;
+    }
+    const py::gil_scoped_release released;
+    const auto began = std::chrono::steady_clock::now();
+    while (works > 0 && std::chrono::steady_clock::now() - began < patience)
+    {
+        ::usleep(1000);
+    }
 }
 
 void choose_threads(int count)

@@ -22,8 +22,8 @@ enum class Activity
 };
 
 /// Work for as long as it lives: the GIL is released, and the chosen number of threads is set for the calling thread.
-/// @throws py::error_already_set (RuntimeError) in a forked child of a process that has worked: the threads of OpenMP
-/// do not live on there
+/// @throws py::error_already_set: RuntimeError in a forked child of a process that has worked, where the threads of
+/// OpenMP do not live on; SystemExit while the interpreter ends
 class Work
 {
   public:
@@ -85,6 +85,9 @@ class Poll
     py::object tell_;
     Clock::time_point last_ = Clock::now();
 };
+
+/// Ends the work of all threads and waits for it: for the end of the interpreter, which their threads must not meet.
+void leave();
 
 /// Threads of the work from now on; 0: as OpenMP has it, all cores.
 void choose_threads(int count);

@@ -59,6 +59,7 @@ PYBIND11_MODULE(_corticle, module)
     module.attr("version") = std::string(program_version());
     module.def("set_threads", &python::choose_threads, pybind11::arg("count"));
     module.def("threads", &python::chosen_threads);
+    pybind11::module_::import("atexit").attr("register")(pybind11::cpp_function(&python::leave));
     python::bind_errors(module);
     python::bind_case(module);
     python::bind_body(module);
