@@ -195,7 +195,7 @@ def refusals(bench):
     shutil.copytree(bench.folder / "a", bench.folder / "begun")
     damaged("measures.csv", lambda text: b"", ["measures.csv"])
     damaged("measures.csv", lambda text: b"a,b\n1,2\n", ["measures.csv", "column t"])
-    damaged("measures.csv", lambda text: text.replace(b",", b",x", 60), ["measures.csv"])
+    damaged("measures.csv", lambda text: text.replace(b",", b",x", 200), ["measures.csv"])
     damaged("measures.csv", lambda text: text.splitlines()[0] + b"\n", ["measures.csv", "no rows"])
     damaged("surface_0002.vtp", lambda data: data[:len(data) // 2], ["surface_0002.vtp"])
     damaged("particles_0001.vtu", lambda data: data.replace(b'"F"', b'"G"'), ["particles_0001.vtu", "F"])
