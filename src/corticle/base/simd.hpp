@@ -3,6 +3,8 @@
 
 #include "corticle/base/vec3.hpp"
 
+#include <type_traits>
+
 // Eight numbers at once, on the host: vector types of GNU compilers, which those for devices do not know.
 
 namespace corticle
@@ -24,7 +26,8 @@ inline const int register_lanes = CORTICLE_RUNS("x86-64-v4") ? 8 : CORTICLE_RUNS
 /// Eight doubles in one SIMD register, or in two or four, as the processor has it. Arithmetic and comparisons go lane
 /// by lane; `mask ? a : b` chooses lane by lane.
 using WideLanes = double __attribute__((vector_size(64)));
-using WideIntegers = std::int64_t __attribute__((vector_size(64)));
+/// Eight integers of 64 bits: the mask that a comparison gives. Compilers differ in what they call these.
+using WideIntegers = decltype(WideLanes{} < WideLanes{});
 inline constexpr std::int64_t wide_lanes = 8;
 /// The same read from or written to memory that holds doubles.
 using WideMemory = double __attribute__((vector_size(64), may_alias));
@@ -55,8 +58,9 @@ struct RealTraits<WideIntegers>
     template <class Act>
     CORTICLE_INLINE static void for_lanes(const WideIntegers& mask, Act&& act)
     {
-        const auto* lanes = reinterpret_cast<const std::int64_t*>(&mask);
-        std::int64_t any = 0;
+        using Integer = std::remove_cvref_t<decltype(mask[0])>;
+        const auto* lanes = reinterpret_cast<const Integer*>(&mask);
+        Integer any = 0;
         for (int lane = 0; lane < wide_lanes; ++lane)
         {
             any |= lanes[lane];

@@ -163,7 +163,9 @@ std::vector<Parameter> solver_parameters()
         parameter("solver.kernel_mm", "mm", between(0.0, 1000.0),
                   "Support radius of the kernel in mm, of pairs whatever lies between them; 0: solver.support.",
                   CORTICLE_MEMBER(tlsph.kernel_mm)),
-        parameter("solver.zeta", "", between(0.0, 10.0), "Strength of the control of zero-energy modes.",
+        parameter("solver.zeta", "", between(0.0, 10.0),
+                  "Strength of the control of zero-energy modes; more where fewer than 3 or more than 4.1 spacings go "
+                  "through the cortex.",
                   CORTICLE_MEMBER(tlsph.zeta)),
         parameter("solver.integrator", "", {}, "Time integration; rk4 (Runge-Kutta) works without contact only.",
                   CORTICLE_MEMBER(dynamics.integrator)),

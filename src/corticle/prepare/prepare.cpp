@@ -205,7 +205,19 @@ void complete_tissue(const PreparationOptions& options, std::span<const Vec3> no
     }
 }
 
-void connect_particles(const PreparationOptions& options, Preparation& made)
+/// How much stronger than solver.zeta the zero-energy control is (docs/decisions/zero-energy-control.md). A fine cloud
+/// crumples where a free surface is compressed beyond Biot's strain, and one that resolves the cortex poorly is soft:
+/// it folds early. @param spacings  through the cortex
+double control_of(double spacings)
+{
+    constexpr double coarse = 3.0;
+    constexpr double fine = 4.1;
+    constexpr double most = 5.0;
+    return std::min(std::pow(std::max(1.0, coarse / spacings), 2) * std::pow(std::max(1.0, spacings / fine), 4), most);
+}
+
+/// @param thickness  of the cortex [mm]
+void connect_particles(const PreparationOptions& options, double thickness, Preparation& made)
 {
     model::Model& model = made.model;
     const geometry::SurfaceTree tree(model.surface.vertices, model.surface.triangles);
@@ -215,7 +227,9 @@ void connect_particles(const PreparationOptions& options, Preparation& made)
                                 : cloud::find_neighbors(model.cloud, tree, support, &made.report.visibility);
     made.report.neighbors_mean =
         static_cast<double>(pairs.index.size()) / static_cast<double>(model.cloud.positions.size());
-    model.particles = tlsph::make_particles(model.cloud, pairs, options.tlsph);
+    tlsph::TlsphOptions method = options.tlsph;
+    method.zeta *= control_of(thickness / model.cloud.spacing);
+    model.particles = tlsph::make_particles(model.cloud, pairs, method);
 }
 
 } // namespace
@@ -342,7 +356,7 @@ void connect_body(const PreparationOptions& options, Preparation& made)
     }
     else
     {
-        connect_particles(options, made);
+        connect_particles(options, mean, made);
     }
     if (has_labelled_cortex(options))
     {

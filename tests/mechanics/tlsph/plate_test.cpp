@@ -38,12 +38,14 @@ double bilayer_error(int spacings)
     return test::curvature_of(plate) / (-1.5 * test::plate_growth / plate.thickness) - 1.0;
 }
 
-TEST(Plate, BendsWithSecondOrder)
+/// The exact motion is quadratic, and fits near the surface follow it: what is left, at any spacing, is what their
+/// regularisation and the linear fits deeper down make of it.
+TEST(Plate, BendsToTheExactCurvature)
 {
-    const double coarse = linear_growth_error(3);
-    const double fine = linear_growth_error(6);
-    EXPECT_LT(std::abs(coarse), 0.02);
-    EXPECT_GT(std::log2(std::abs(coarse / fine)), 1.9) << "errors " << coarse << " and " << fine;
+    for (const int spacings : {3, 4, 6})
+    {
+        EXPECT_LT(std::abs(linear_growth_error(spacings)), 2e-3) << spacings << " spacings";
+    }
 }
 
 TEST(Plate, BilayerBendsAsTheorySays)

@@ -58,8 +58,8 @@ inline tlsph::Particles without_enrichment(tlsph::Particles particles)
 {
     tlsph::EnrichedGradients& enriched = particles.enriched;
     std::ranges::fill(enriched.reach, tlsph::EnrichedGradients::Reach::none);
-    std::ranges::fill(enriched.at, -1);
-    enriched.gradient.clear();
+    std::ranges::fill(enriched.group, -1);
+    enriched.fits.clear();
     particles.pairs.enriched_end.assign(particles.pairs.begin.begin(), particles.pairs.begin.end() - 1);
     return particles;
 }

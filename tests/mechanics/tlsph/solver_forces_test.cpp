@@ -5,6 +5,7 @@
 #include "corticle/mechanics/tlsph/kernel.hpp"
 #include "mechanics/tlsph/small_body.hpp"
 
+#include <Eigen/Core>
 #include <gtest/gtest.h>
 
 namespace corticle
@@ -19,6 +20,64 @@ struct Situation
     double compression; ///< all positions are scaled by it; 0.6 makes the barrier act
     double t;
 };
+
+using Coefficients = Eigen::Matrix<double, 3, 9>;
+
+Eigen::Vector3d eigen(const Vec3& v)
+{
+    return {v.x, v.y, v.z};
+}
+Eigen::Matrix3d eigen(const Mat3& m)
+{
+    Eigen::Matrix3d result;
+    result << eigen(m.column[0]), eigen(m.column[1]), eigen(m.column[2]);
+    return result;
+}
+Mat3 matrix_of(const Eigen::Matrix3d& m)
+{
+    return {{{m(0, 0), m(1, 0), m(2, 0)}, {m(0, 1), m(1, 1), m(2, 1)}, {m(0, 2), m(1, 2), m(2, 2)}}};
+}
+
+/// The functions of the fit.
+Eigen::Matrix<double, 9, 1> functions(const Vec3& X)
+{
+    Eigen::Matrix<double, 9, 1> p;
+    p << X.x, X.y, X.z, X.x * X.x, X.x * X.y, X.x * X.z, X.y * X.y, X.y * X.z, X.z * X.z;
+    return p;
+}
+
+/// Their slopes where the gradient of particle i is taken.
+Eigen::Matrix<double, 9, 3> slope_at(const tlsph::Particles& p, std::size_t i)
+{
+    const std::int32_t group = p.enriched.group[i / 8];
+    const int lane = static_cast<int>(i % 8);
+    const auto coordinate = [&](int axis) { return group < 0 ? 0.0 : p.enriched.fits[group].at[axis][lane]; };
+    const Vec3 at{coordinate(0), coordinate(1), coordinate(2)};
+    Eigen::Matrix<double, 9, 3> slope;
+    slope << 1, 0, 0, 0, 1, 0, 0, 0, 1, 2 * at.x, 0, 0, at.y, at.x, 0, at.z, 0, at.x, 0, 2 * at.y, 0, 0, at.z, at.y, 0,
+        0, 2 * at.z;
+    return slope;
+}
+
+Eigen::MatrixXd inverse_of_fit(const tlsph::Particles& p, std::size_t i)
+{
+    Eigen::MatrixXd inverse = Eigen::MatrixXd::Zero(9, 9);
+    const std::int32_t group = p.enriched.group[i / 8];
+    if (group < 0)
+    {
+        inverse.topLeftCorner<3, 3>() = eigen(p.correction[i]);
+        return inverse;
+    }
+    for (int row = 0, place = 0; row < 9; ++row)
+    {
+        for (int column = row; column < 9; ++column)
+        {
+            inverse(row, column) = inverse(column, row) =
+                p.enriched.fits[group].inverse[place++][static_cast<int>(i % 8)];
+        }
+    }
+    return inverse;
+}
 
 class TlsphForces : public testing::TestWithParam<Situation>
 {
@@ -90,37 +149,21 @@ TEST_P(TlsphForces, AgreeWithPlainLoops)
     std::vector<Vec3> forces(x.size());
     const mechanics::InternalResponse response = solver.evaluate(x, GetParam().t, forces);
     const tlsph::Particles& p = body.particles;
-    std::vector<Mat3> M(x.size());
-    std::vector<Mat3> R(x.size());
-    std::vector<Vec3> n(x.size());
+    std::vector<Coefficients> Z(x.size());
     std::vector<double> zeta(x.size());
     double elastic_energy = 0.0;
     double zero_mode_energy = 0.0;
     for (std::size_t i = 0; i < x.size(); ++i)
     {
-        Mat3 shape;
-        Mat3 moment;
+        const Eigen::MatrixXd fit = inverse_of_fit(p, i);
+        Coefficients moments = Coefficients::Zero();
         for (std::int64_t k = p.pairs.begin[i]; k < p.pairs.begin[i + 1]; ++k)
         {
             const auto j = static_cast<std::size_t>(p.pairs.neighbor(static_cast<std::int64_t>(i), k));
-            const double w = p.pairs.weight[k];
-            shape += w * outer(p.X[j] - p.X[i], p.X[j] - p.X[i]);
-            moment += w * outer(x[j] - x[i], p.X[j] - p.X[i]);
+            moments += p.pairs.weight[k] * eigen(x[j] - x[i]) * functions(p.X[j] - p.X[i]).transpose();
         }
-        const Mat3 L = inverse(shape);
-        const Mat3 linear_F = moment * L;
-        const std::int32_t at = p.enriched.at[i];
-        const tlsph::EnrichedGradient gradient =
-            at < 0 ? tlsph::EnrichedGradient{L, {}, {}, {}} : p.enriched.gradient[at];
-        n[i] = gradient.normal;
-        Mat3 F;
-        for (std::int64_t k = p.pairs.begin[i]; k < p.pairs.begin[i + 1]; ++k)
-        {
-            const auto j = static_cast<std::size_t>(p.pairs.neighbor(static_cast<std::int64_t>(i), k));
-            const Vec3 X_ij = p.X[j] - p.X[i];
-            const Vec3 b = gradient.B * X_ij + dot(n[i], X_ij) * (gradient.Q * X_ij);
-            F += p.pairs.weight[k] * outer(x[j] - x[i], b);
-        }
+        const Coefficients a = moments * fit;
+        const Mat3 F = matrix_of(a * slope_at(p, i));
         const auto& tissue = body.tissue;
         const material::MaterialPoint point =
             material::material_point(tissue.options, tissue.theta[i], tissue.regional_rate[i], GetParam().t);
@@ -131,15 +174,15 @@ TEST_P(TlsphForces, AgreeWithPlainLoops)
             material::elastic_response(law, point.shear_modulus, point.bulk_modulus, F * inverse(G));
         const Mat3 P = determinant(G) * (elastic.stress * transpose(inverse(G)));
         zeta[i] = p.options.zeta * point.shear_modulus * g * g;
-        M[i] = p.volume[i] * (P * gradient.B) - zeta[i] * linear_F;
-        R[i] = p.volume[i] * (P * gradient.Q);
+        Z[i] = (p.volume[i] * eigen(P) * slope_at(p, i).transpose() - zeta[i] * moments) * fit;
         elastic_energy += p.volume[i] * determinant(G) * (elastic.deviatoric_energy + elastic.volumetric_energy);
+        double squared_lengths = 0.0;
         for (std::int64_t k = p.pairs.begin[i]; k < p.pairs.begin[i + 1]; ++k)
         {
-            const auto j = static_cast<std::size_t>(p.pairs.neighbor(static_cast<std::int64_t>(i), k));
-            const double w = p.pairs.weight[k];
-            zero_mode_energy += 0.5 * zeta[i] * w * squared_norm(x[j] - x[i] - linear_F * (p.X[j] - p.X[i]));
+            squared_lengths +=
+                p.pairs.weight[k] * squared_norm(x[p.pairs.neighbor(static_cast<std::int64_t>(i), k)] - x[i]);
         }
+        zero_mode_energy += 0.5 * zeta[i] * (squared_lengths - moments.cwiseProduct(a).sum());
     }
     // Sums of some thousand terms in another order.
     EXPECT_NEAR(response.elastic_energy / elastic_energy, 1.0, 1e-11);
@@ -154,8 +197,8 @@ TEST_P(TlsphForces, AgreeWithPlainLoops)
             const auto j = static_cast<std::size_t>(p.pairs.neighbor(static_cast<std::int64_t>(i), k));
             const double w = p.pairs.weight[k];
             const Vec3 X_ij = p.X[j] - p.X[i];
-            force += w * ((M[i] + M[j]) * X_ij + (zeta[i] + zeta[j]) * (x[j] - x[i]) + dot(n[i], X_ij) * (R[i] * X_ij) -
-                          dot(n[j], X_ij) * (R[j] * X_ij));
+            const Eigen::Vector3d pull = Z[i] * functions(X_ij) - Z[j] * functions(-X_ij);
+            force += w * (Vec3{pull[0], pull[1], pull[2]} + (zeta[i] + zeta[j]) * (x[j] - x[i]));
         }
         // Products of three coordinates lose about the square of block over support in digits.
         ASSERT_LT(norm(forces[i] - force), 1e-11 * scale) << "particle " << i;

@@ -14,6 +14,7 @@ __device__ double log(double);
 #endif
 
 #include "corticle/material/neo_hookean.hpp"
+#include "corticle/mechanics/tlsph/fit.hpp"
 #include "corticle/mechanics/tlsph/particle_law.hpp"
 
 namespace corticle
@@ -24,13 +25,14 @@ struct Particle
 {
     Real theta;
     BasicVec3<Real> normal;
-    tlsph::ParticleReference<Real> reference;
-    tlsph::DeformationSums<Real> sums;
+    Real volume;
+    tlsph::BasicEnrichedTerms<Real> sum;
     BasicVec3<Real> X;
     BasicVec3<Real> x;
-    tlsph::BasicEnrichedTerms<Real> enriched_sums;
-    BasicVec3<Real> enriched_moment;
-    BasicMat3<Real> Q;
+    BasicVec3<Real> weighted_sum;
+    FixedArray<Real, 6> second_moment;
+    tlsph::Fit<Real, tlsph::quadratic_functions> fit;
+    typename tlsph::Fit<Real, tlsph::quadratic_functions>::Vectors pulls;
     tlsph::ParticleResponse<Real> response;
 };
 
@@ -39,13 +41,22 @@ __global__ void respond_on_device(material::TissueOptions tissue, double t, Part
 {
     Particle<Real>& particle = particles[0];
     const auto point = material::material_point(tissue, particle.theta, broadcast<Real>(1.0), t);
-    const auto linear_F = particle.sums.moment * particle.reference.correction;
-    const auto products = tlsph::enriched_moment(particle.enriched_sums, particle.X, particle.x, particle.normal,
-                                                 particle.enriched_moment);
-    const auto F = particle.sums.moment * transpose(particle.reference.gradient) + products * transpose(particle.Q);
-    const auto deformation = tlsph::particle_deformation(F, linear_F);
-    particle.response = tlsph::particle_response<false>(material::NeoHookean{tissue.barrier_J}, point, particle.normal,
-                                                 particle.reference, particle.sums, deformation);
+    const auto sums = tlsph::deformation_sums(particle.sum.linear, particle.X, particle.x, particle.weighted_sum);
+    const auto products = tlsph::product_moments(particle.sum, particle.X, particle.x, particle.second_moment);
+    for (int k = 0; k < 3; ++k)
+    {
+        particle.fit.moments[k] = sums.moment.column[k];
+    }
+    for (int k = 0; k < 6; ++k)
+    {
+        particle.fit.moments[3 + k] = products[k];
+    }
+    const auto coefficients = particle.fit.coefficients();
+    const auto deformation = tlsph::particle_deformation(particle.fit.gradient(coefficients));
+    particle.response =
+        tlsph::particle_response<false>(material::NeoHookean{tissue.barrier_J}, point, particle.normal, particle.volume,
+                                        0.02, deformation, particle.fit.residual(coefficients));
+    particle.pulls = particle.fit.pulls(particle.response.stress, particle.response.zeta);
 }
 template __global__ void respond_on_device(material::TissueOptions, double, Particle<double>*);
 template __global__ void respond_on_device(material::TissueOptions, double, Particle<float>*);

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "corticle/base/wide_group.hpp"
+#include "corticle/mechanics/tlsph/fit.hpp"
 #include "corticle/mechanics/tlsph/pair_sums.hpp"
-#include "corticle/mechanics/tlsph/particle_law.hpp"
 #include "corticle/mechanics/tlsph/particles.hpp"
 
 #include <algorithm>
@@ -71,26 +71,11 @@ CORTICLE_INLINE WideVec3 gather(const WideGroup& group, const Vec3* values)
     return group.gather_vectors([&](std::int64_t i) -> const Vec3& { return values[i]; });
 }
 
-/// What the law needs to know of eight particles.
-struct GroupDeformation
-{
-    ParticleReference<WideLanes> reference;
-    DeformationSums<WideLanes> sums;
-    ParticleDeformation<WideLanes> deformation;
-};
+using LinearFit = Fit<WideLanes, linear_functions>;
+using QuadraticFit = Fit<WideLanes, quadratic_functions>;
 
-/// Eight particles in the reference configuration, their gradients linear.
-CORTICLE_INLINE ParticleReference<WideLanes> linear_reference(const Particles& particles, const WideGroup& group)
-{
-    const WideMat3 correction =
-        group.gather_matrices([&](std::int64_t i) -> const Mat3& { return particles.correction[i]; });
-    return {group.gather(particles.volume.data()), correction, correction, gather(group, particles.weighted_sum.data()),
-            particles.options.zeta};
-}
-
-/// Of eight particles whose gradients are all linear.
-CORTICLE_INLINE GroupDeformation linear_deformation(const Block& block, const Vec3* x, const WideGroup& group,
-                                                    const BlockTerms& terms)
+/// Fits of eight particles, all of them linear.
+CORTICLE_INLINE LinearFit linear_fit(const Block& block, const Vec3* x, const WideGroup& group, const BlockTerms& terms)
 {
     const Particles& particles = block.particles;
     PairTerms sums[wide_lanes];
@@ -102,26 +87,22 @@ CORTICLE_INLINE GroupDeformation linear_deformation(const Block& block, const Ve
     const BasicPairTerms<WideLanes> sum{
         among.gather_matrices([&](std::int64_t i) -> const Mat3& { return sums[i].matrix; }),
         among.gather_vectors([&](std::int64_t i) -> const Vec3& { return sums[i].vector; })};
-    GroupDeformation result;
-    result.reference = linear_reference(particles, group);
-    result.sums = deformation_sums(sum, gather(group, particles.X.data()) - broadcast(block.X_origin),
-                                   gather(group, x) - broadcast(block.x_origin), result.reference.weighted_sum);
-    const WideMat3 F = result.sums.moment * result.reference.correction;
-    result.deformation = particle_deformation(F, F);
-    return result;
+    const WideMat3 L = group.gather_matrices([&](std::int64_t i) -> const Mat3& { return particles.correction[i]; });
+    const WideVec3 b = gather(group, particles.weighted_sum.data());
+    const auto moments = deformation_sums(sum, gather(group, particles.X.data()) - broadcast(block.X_origin),
+                                          gather(group, x) - broadcast(block.x_origin), b);
+    const auto& [l_x, l_y, l_z] = L.column;
+    return {{l_x.x, l_y.x, l_z.x, l_y.y, l_z.y, l_z.z},
+            {b.x, b.y, b.z},
+            {},
+            {moments.moment.column[0], moments.moment.column[1], moments.moment.column[2]},
+            moments.weighted_sum,
+            moments.squared_lengths};
 }
 
-/// The enriched part of the gradients of eight particles.
-struct GroupEnrichment
-{
-    WideMat3 Q;
-    WideVec3 normal;
-    WideVec3 moment;
-};
-
-/// Of eight particles of which at least one has an enriched gradient.
-CORTICLE_INLINE GroupDeformation enriched_deformation(const Block& block, const Vec3* x, const WideGroup& group,
-                                                      const BlockTerms& terms, GroupEnrichment& enrichment)
+/// Fits of eight particles of which at least one is quadratic.
+CORTICLE_INLINE QuadraticFit quadratic_fit(const Block& block, const Vec3* x, const WideGroup& group,
+                                           const BlockTerms& terms)
 {
     const Particles& particles = block.particles;
     const EnrichedGradients& enriched = particles.enriched;
@@ -142,22 +123,20 @@ CORTICLE_INLINE GroupDeformation enriched_deformation(const Block& block, const 
         sum.products.column[p] =
             among.gather_vectors([&](std::int64_t i) -> const Vec3& { return sums[i].products.column[p]; });
     }
-    const WideGroup at{enriched.at[group.first], group.count};
-    const auto& gradient = enriched.gradient;
-    enrichment.Q = at.gather_matrices([&](std::int64_t i) -> const Mat3& { return gradient[i].Q; });
-    enrichment.normal = at.gather_vectors([&](std::int64_t i) -> const Vec3& { return gradient[i].normal; });
-    enrichment.moment = at.gather_vectors([&](std::int64_t i) -> const Vec3& { return gradient[i].moment; });
+    const QuadraticFits& fits = enriched.fits[enriched.group[group.first / wide_lanes]];
+    const auto& K = fits.second_moment;
+    const WideVec3 b = gather(group, particles.weighted_sum.data());
     const WideVec3 X = gather(group, particles.X.data()) - broadcast(block.X_origin);
     const WideVec3 now = gather(group, x) - broadcast(block.x_origin);
-    GroupDeformation result;
-    result.reference = linear_reference(particles, group);
-    result.reference.gradient = at.gather_matrices([&](std::int64_t i) -> const Mat3& { return gradient[i].B; });
-    result.sums = deformation_sums(sum.linear, X, now, result.reference.weighted_sum);
-    const WideMat3 products = enriched_moment(sum, X, now, enrichment.normal, enrichment.moment);
-    result.deformation = particle_deformation(result.sums.moment * transpose(result.reference.gradient) +
-                                                  products * transpose(enrichment.Q),
-                                              result.sums.moment * result.reference.correction);
-    return result;
+    const auto moments = deformation_sums(sum.linear, X, now, b);
+    const auto& [m_x, m_y, m_z] = moments.moment.column;
+    const auto H = product_moments(sum, X, now, K);
+    return {fits.inverse,
+            {b.x, b.y, b.z, K[0], K[1], K[2], K[3], K[4], K[5]},
+            fits.at,
+            {m_x, m_y, m_z, H[0], H[1], H[2], H[3], H[4], H[5]},
+            moments.weighted_sum,
+            moments.squared_lengths};
 }
 
 } // namespace corticle::tlsph

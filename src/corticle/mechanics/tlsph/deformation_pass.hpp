@@ -28,7 +28,7 @@ struct PassInput
 struct PassOutput
 {
     ForceRecord* records;
-    Mat3* enriched; ///< V_i P_i Q_i of the particles in EnrichedGradients::gradient; the fourth lanes hold n_i
+    ProductTerms* products; ///< of the particles of EnrichedGradients::fits, but for T_azz, which is in the records
     Vec3* own_force;
 };
 
@@ -72,45 +72,57 @@ CORTICLE_INLINE void note_volumes(const WideGroup& group, WideLanes J, mechanics
     for_lanes(~sound, [&](int lane) { total.invalid_at = total.invalid_at < 0 ? group.at(lane) : total.invalid_at; });
 }
 
+/// Writes the pulls by products of eight particles. @param Z  of Fit   @param M  that of their records
+CORTICLE_INLINE void write_products(const QuadraticFit::Vectors& Z, const WideGroup& at, ProductTerms* products,
+                                    WideMat3& M)
+{
+    // Z q(X) = T X X: what is off the diagonal counts twice.
+    WideVec3 column[4] = {Z[3], 0.5 * Z[4], 0.5 * Z[5], Z[6]};
+    const WideVec3 yz = 0.5 * Z[7];
+    column[0].lane = yz.x;
+    column[1].lane = yz.y;
+    column[2].lane = yz.z;
+    for (int p = 0; p < 4; ++p)
+    {
+        at.scatter_vectors(column[p], [&](std::int64_t i) -> Vec3& { return products[i].column[p]; });
+    }
+    set_lanes(Z[8], M);
+}
+
 /// Stress, energies and force records of eight particles.
-template <bool plain, class Law>
-CORTICLE_INLINE void respond_in_lanes(const Law& law, const PassInput& in, const WideGroup& group,
-                                      const GroupDeformation& local, const GroupEnrichment* enrichment,
-                                      std::int64_t enriched_at, const PassOutput& out, LaneSums& sum,
+template <bool plain, class Law, int functions>
+CORTICLE_INLINE void respond_in_lanes(const Law& law, const Block& block, const PassInput& in, const WideGroup& group,
+                                      const Fit<WideLanes, functions>& fit, const PassOutput& out, LaneSums& sum,
                                       mechanics::InternalResponse& total)
 {
-    note_volumes(group, local.deformation.J, total);
+    const Particles& particles = block.particles;
+    const auto coefficients = fit.coefficients();
+    const ParticleDeformation<WideLanes> deformation = particle_deformation(fit.gradient(coefficients));
+    note_volumes(group, deformation.J, total);
     const material::WideTissue tissue = plain ? material::plain_tissue(in.tissue, in.t, group)
-                                              : material::any_tissue(in.tissue, in.t, group, local.deformation.F);
-    ParticleResponse<WideLanes> particle =
-        particle_response<plain>(law, tissue.point, tissue.normal, local.reference, local.sums, local.deformation);
+                                              : material::any_tissue(in.tissue, in.t, group, deformation.F);
+    const ParticleResponse<WideLanes> particle =
+        particle_response<plain>(law, tissue.point, tissue.normal, group.gather(particles.volume.data()),
+                                 particles.options.zeta, deformation, fit.residual(coefficients));
     sum.elastic_energy += group.counted(particle.elastic_energy);
     sum.zero_mode_energy += group.counted(particle.zero_mode_energy);
     sum.growth_power += group.counted(particle.growth_power);
     sum.stiffest_rate = larger<WideLanes>(sum.stiffest_rate, particle.rate);
     sum.barrier_count += group.counted(particle.J_e < law.barrier_J ? broadcast<WideLanes>(1.0) : WideLanes{});
-    if (enrichment != nullptr)
+    const auto Z = fit.pulls(particle.stress, particle.zeta);
+    WideMat3 M{{Z[0], Z[1], Z[2]}};
+    if constexpr (functions == quadratic_functions)
     {
-        WideMat3 Q = particle.stress * enrichment->Q;
-        particle.own_force += Q * enrichment->moment;
-        Q.column[0].lane = enrichment->normal.x;
-        Q.column[1].lane = enrichment->normal.y;
-        Q.column[2].lane = enrichment->normal.z;
-        const WideGroup at{enriched_at, group.count};
-        for (int c = 0; c < 3; ++c)
-        {
-            at.scatter_vectors(Q.column[c], [&](std::int64_t i) -> Vec3& { return out.enriched[i].column[c]; });
-        }
+        write_products(Z, {particles.enriched.place(group.first), group.count}, out.products, M);
     }
     WideVec3 x = gather(group, in.x);
     x.lane = particle.zeta;
     for (int c = 0; c < 3; ++c)
     {
-        group.scatter_vectors(particle.M.column[c],
-                              [&](std::int64_t i) -> Vec3& { return out.records[i].M.column[c]; });
+        group.scatter_vectors(M.column[c], [&](std::int64_t i) -> Vec3& { return out.records[i].M.column[c]; });
     }
     group.scatter_vectors(x, [&](std::int64_t i) -> Vec3& { return out.records[i].x; });
-    group.scatter_vectors(particle.own_force, [&](std::int64_t i) -> Vec3& { return out.own_force[i]; });
+    group.scatter_vectors(fit.own_force(Z, particle.zeta), [&](std::int64_t i) -> Vec3& { return out.own_force[i]; });
 }
 
 /// `plain`: growth is that of Tissue::grows_plainly.
@@ -123,16 +135,13 @@ CORTICLE_EVERY_ISA void deform(const Law& law, const Block& block, const PassInp
     for (std::int64_t i = block.begin; i < block.end; i += wide_lanes)
     {
         const WideGroup group{i, std::min(wide_lanes, block.end - i)};
-        if (const std::int64_t at = block.particles.enriched.at[i]; at >= 0)
+        if (block.particles.enriched.group[i / wide_lanes] >= 0)
         {
-            GroupEnrichment enrichment;
-            const GroupDeformation local = enriched_deformation(block, in.x, group, terms, enrichment);
-            respond_in_lanes<plain>(law, in, group, local, &enrichment, at, out, sum, total);
+            respond_in_lanes<plain>(law, block, in, group, quadratic_fit(block, in.x, group, terms), out, sum, total);
         }
         else
         {
-            const GroupDeformation local = linear_deformation(block, in.x, group, terms);
-            respond_in_lanes<plain>(law, in, group, local, nullptr, at, out, sum, total);
+            respond_in_lanes<plain>(law, block, in, group, linear_fit(block, in.x, group, terms), out, sum, total);
         }
     }
     total.elastic_energy += sum_of_lanes(sum.elastic_energy);

@@ -2,7 +2,7 @@
 #include "corticle/mechanics/tlsph/enriched_gradient.hpp"
 
 #include "corticle/base/parallel.hpp"
-#include "corticle/base/simd.hpp"
+#include "corticle/mechanics/tlsph/fit.hpp"
 
 #include <Eigen/Cholesky>
 
@@ -15,14 +15,18 @@ namespace corticle::tlsph
 namespace
 {
 
+using Matrix9 = Eigen::Matrix<double, quadratic_functions, quadratic_functions>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
-using Matrix63 = Eigen::Matrix<double, 6, 3>;
+using Vector9 = Eigen::Matrix<double, quadratic_functions, 1>;
+using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Reach = EnrichedGradients::Reach;
 
 // Tikhonov regularisation of the fit, relative to its linear part. A quadratic along the normal is hardly resolved by
-// one-sided supports: left to itself it makes noise, while those across the normal do not (docs/theory/tlsph.md).
+// one-sided supports: left to itself it makes noise, while the two across the normal do not. Those tangential to the
+// surface cost the zero-energy control its hold on a surface that crumples (docs/decisions/enriched-gradient.md).
 constexpr double along_normal = 0.05;
 constexpr double across_normal = 1e-3;
+constexpr double tangential = 0.5;
 constexpr double agreement = 0.5; ///< least length of the mean of the normals in reach: below, they face each other
 
 /// Normals of the surface at its particles, weighted by area; zero elsewhere.
@@ -69,72 +73,116 @@ std::vector<Vec3> normals_near(const PairBlocks& pairs, const std::vector<Vec3>&
     return normals;
 }
 
-/// What the particle's gradient knows: p_ij = (X_ij, (n_i . X_ij) X_ij / s).
-struct Fit
+/// Products xx, xy, xz, yy, yz, zz.
+Vector6 products(const Vec3& v)
 {
-    Matrix6 shape = Matrix6::Zero(); ///< sum_j w_ij p_ij p_ij^T
-    Vec3 moment;
+    return {v.x * v.x, v.x * v.y, v.x * v.z, v.y * v.y, v.y * v.z, v.z * v.z};
+}
 
-    void add(double w, const Vec3& X, double height, double support)
-    {
-        Eigen::Matrix<double, 6, 1> p;
-        p << X.x, X.y, X.z, height / support * X.x, height / support * X.y, height / support * X.z;
-        shape += w * p * p.transpose();
-        moment += w * height * X;
-    }
+/// Sum over the neighbours of what the fit needs: p_ij holds X_ij, and its products over the support s.
+struct Shape
+{
+    Matrix9 matrix = Matrix9::Zero(); ///< sum_j w_ij p_ij p_ij^T
+    Vector6 second_moment = Vector6::Zero();
+    bool thin = false; ///< whether the support reaches through the body
 };
 
-Mat3 matrix_of(const Eigen::Matrix3d& m)
-{
-    Mat3 result;
-    for (int row = 0; row < 3; ++row)
-    {
-        for (int col = 0; col < 3; ++col)
-        {
-            result(row, col) = m(row, col);
-        }
-    }
-    return result;
-}
-
-/// B and Q such that the gradient is exact for affine motion and, but for the regularisation, for (n . X) X.
-/// @param offset  of the centroid of the cell from the particle: the gradient is that at the centroid
-/// @param thin    whether the support reaches through the body
-void solve(const Fit& fit, const Vec3& offset, double support, bool thin, EnrichedGradient& gradient)
-{
-    const Eigen::Vector3d n{gradient.normal.x, gradient.normal.y, gradient.normal.z};
-    const Eigen::Vector3d c{offset.x, offset.y, offset.z};
-    const Eigen::Matrix3d along = n * n.transpose();
-    const double across = thin ? along_normal : across_normal;
-    const double scale = fit.shape.topLeftCorner<3, 3>().trace() / 3.0;
-    Matrix6 shape = fit.shape;
-    shape.bottomRightCorner<3, 3>() += scale * (across * (Eigen::Matrix3d::Identity() - along) + along_normal * along);
-    Matrix63 slope; // of the six functions at the centroid
-    slope.topRows<3>().setIdentity();
-    slope.bottomRows<3>() = (c * n.transpose() + n.dot(c) * Eigen::Matrix3d::Identity()) / support;
-    const Matrix63 solution = shape.ldlt().solve(slope);
-    gradient.B = matrix_of(solution.topRows<3>().transpose());
-    gradient.Q = matrix_of(solution.bottomRows<3>().transpose() / support);
-    gradient.moment = fit.moment;
-}
-
 /// @param on_surface  normals of the particles on the surface, zero elsewhere
-EnrichedGradient enriched(const Cloud& cloud, const PairBlocks& pairs, double support, std::int64_t i,
-                          const Vec3& normal, const std::vector<Vec3>& on_surface)
+Shape shape_of(const Cloud& cloud, const PairBlocks& pairs, double support, std::int64_t i,
+               const std::vector<Vec3>& on_surface)
 {
-    EnrichedGradient gradient;
-    gradient.normal = normal;
-    Fit fit;
-    bool thin = false;
+    Shape shape;
     for (std::int64_t k = pairs.begin[i]; k < pairs.begin[i + 1]; ++k)
     {
         const std::int32_t j = pairs.neighbor(i, k);
+        const auto w = static_cast<double>(pairs.weight[k]);
         const Vec3 X = cloud.positions[j] - cloud.positions[i];
-        fit.add(static_cast<double>(pairs.weight[k]), X, dot(normal, X), support);
-        thin = thin || dot(on_surface[i], on_surface[j]) < -0.5;
+        Vector9 p;
+        p << X.x, X.y, X.z, products(X) / support;
+        shape.matrix += w * p * p.transpose();
+        shape.second_moment += w * products(X);
+        shape.thin = shape.thin || dot(on_surface[i], on_surface[j]) < -0.5;
     }
-    solve(fit, cloud.centroids[i] - cloud.positions[i], support, thin, gradient);
-    return gradient;
+    return shape;
+}
+
+/// The regularisation of the products, relative to the linear part. They make a function X . Y X with symmetric Y, of
+/// which Y_nn is along the normal, Y_tn is across it, and the rest is tangential.
+Matrix6 regularisation(const Vec3& normal, bool thin)
+{
+    const Vec3& n = normal;
+    const Vector6 norm_of_Y{1.0, 0.5, 0.5, 1.0, 0.5, 1.0};
+    Eigen::Matrix<double, 3, 6> Y_n;                 // of the products' coefficients
+    Y_n << n.x, 0.5 * n.y, 0.5 * n.z, 0.0, 0.0, 0.0, //
+        0.0, 0.5 * n.x, 0.0, n.y, 0.5 * n.z, 0.0,    //
+        0.0, 0.0, 0.5 * n.x, 0.0, 0.5 * n.y, n.z;
+    const Matrix6 all = norm_of_Y.asDiagonal();
+    const Matrix6 with_normal = Y_n.transpose() * Y_n; // |Y_nn|² + |Y_tn|²
+    const Matrix6 along = products(normal) * products(normal).transpose();
+    return thin ? Matrix6(along_normal * all)
+                : Matrix6(tangential * (all - 2.0 * with_normal + along) + 2.0 * across_normal * (with_normal - along) +
+                          along_normal * along);
+}
+
+/// The inverse of a shape matrix, regularised, in terms of X_ij and its products.
+Matrix9 inverse_of(const Shape& shape, double support, const Vec3& normal)
+{
+    const double scale = shape.matrix.topLeftCorner<3, 3>().trace() / 3.0;
+    Matrix9 matrix = shape.matrix;
+    matrix.bottomRightCorner<6, 6>() += scale * regularisation(normal, shape.thin);
+    Vector9 units;
+    units << 1.0, 1.0, 1.0, Vector6::Constant(1.0 / support);
+    return units.asDiagonal() * matrix.ldlt().solve(Matrix9(units.asDiagonal()));
+}
+
+/// The fit of one particle, as QuadraticFits holds it.
+struct ParticleFit
+{
+    Matrix9 inverse = Matrix9::Zero();
+    Vector6 second_moment = Vector6::Zero();
+    Vec3 at;
+};
+
+/// @param on_surface  normals of the particles on the surface, zero elsewhere
+ParticleFit quadratic_fit(const Cloud& cloud, const PairBlocks& pairs, double support, std::int64_t i,
+                          const Vec3& normal, const std::vector<Vec3>& on_surface)
+{
+    const Shape shape = shape_of(cloud, pairs, support, i, on_surface);
+    return {inverse_of(shape, support, normal), shape.second_moment, cloud.centroids[i] - cloud.positions[i]};
+}
+
+/// @param correction  L_i
+ParticleFit linear_fit(const Mat3& correction)
+{
+    ParticleFit fit;
+    for (int row = 0; row < linear_functions; ++row)
+    {
+        for (int column = 0; column < linear_functions; ++column)
+        {
+            fit.inverse(row, column) = correction(row, column);
+        }
+    }
+    return fit;
+}
+
+void put(const ParticleFit& fit, int lane, QuadraticFits& fits)
+{
+    int place = 0;
+    for (int row = 0; row < quadratic_functions; ++row)
+    {
+        for (int column = row; column < quadratic_functions; ++column)
+        {
+            at_lane(fits.inverse[place++], lane) = fit.inverse(row, column);
+        }
+    }
+    for (int k = 0; k < 6; ++k)
+    {
+        at_lane(fits.second_moment[k], lane) = fit.second_moment[k];
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        at_lane(fits.at[axis], lane) = fit.at[axis];
+    }
 }
 
 std::vector<Reach> reaches(const PairBlocks& pairs, const std::vector<Vec3>& normals)
@@ -197,29 +245,31 @@ EnrichedGradients enrich_gradients(const Cloud& cloud, const LargeVector<Mat3>& 
     const std::int64_t count = std::ssize(normals);
     EnrichedGradients result;
     result.reach = reaches(pairs, normals);
-    result.at.assign(normals.size(), -1);
-    std::int32_t places = 0;
+    result.group.assign(static_cast<std::size_t>(block_count(count, wide_lanes)), -1);
+    std::int32_t groups = 0;
     for (std::int64_t first = 0; first < count; first += wide_lanes)
     {
-        const std::int64_t end = std::min(first + wide_lanes, count);
-        if (result.farthest(first, end) == Reach::itself)
+        if (result.farthest(first, std::min(first + wide_lanes, count)) == Reach::itself)
         {
-            for (std::int64_t i = first; i < end; ++i)
-            {
-                result.at[i] = places++;
-            }
+            result.group[first / wide_lanes] = groups++;
         }
     }
-    result.gradient.resize(places);
-    parallel_for(count,
-                 [&](std::int64_t i)
+    result.fits.resize(groups);
+    parallel_for(std::ssize(result.group),
+                 [&](std::int64_t number)
                  {
-                     if (result.at[i] >= 0)
+                     if (result.group[number] < 0)
                      {
-                         result.gradient[result.at[i]] =
-                             result.reach[i] == Reach::itself
-                                 ? enriched(cloud, pairs, supports[i], i, normals[i], on_surface)
-                                 : EnrichedGradient{correction[i], {}, {}, {}};
+                         return;
+                     }
+                     const WideGroup group{number * wide_lanes, std::min(wide_lanes, count - number * wide_lanes)};
+                     for (int lane = 0; lane < wide_lanes; ++lane)
+                     {
+                         const std::int64_t i = group.at(lane);
+                         put(result.reach[i] == Reach::itself
+                                 ? quadratic_fit(cloud, pairs, supports[i], i, normals[i], on_surface)
+                                 : linear_fit(correction[i]),
+                             lane, result.fits[result.group[number]]);
                      }
                  });
     put_enriched_first(result.reach, pairs);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "corticle/base/fixed_array.hpp"
 #include "corticle/base/large_pages.hpp"
-#include "corticle/base/mat3.hpp"
+#include "corticle/base/wide_group.hpp"
 #include "corticle/mechanics/tlsph/pair_blocks.hpp"
 #include "corticle/mesh/cloud.hpp"
 
@@ -14,13 +15,13 @@
 namespace corticle::tlsph
 {
 
-/// F of a particle near the surface: F_i = sum_j w_ij x_ij (x) b_ij with b_ij = B_i X_ij + (n_i . X_ij) Q_i X_ij.
-struct EnrichedGradient
+/// The quadratic fits of eight consecutive particles, before they move; symbols as in Fit. Where the fit of one of them
+/// is linear, this is that.
+struct alignas(64) QuadraticFits
 {
-    Mat3 B;      ///< B_i
-    Mat3 Q;      ///< Q_i [1/mm]; zero where B_i is L_i
-    Vec3 normal; ///< n_i, unit, outward
-    Vec3 moment; ///< sum_j w_ij (n_i . X_ij) X_ij
+    FixedArray<WideLanes, 45> inverse;
+    FixedArray<WideLanes, 6> second_moment; ///< sum_j w_ij (X_ij)_b (X_ij)_c for bc = xx, xy, xz, yy, yz, zz
+    WideVec3 at;                            ///< centroid of the cell, from the particle
 };
 
 /// Where gradients are enriched.
@@ -33,10 +34,12 @@ struct EnrichedGradients
         itself
     };
 
-    std::vector<Reach> reach;               ///< one per particle
-    std::vector<std::int32_t> at;           ///< where `gradient` has that of a particle, -1: nowhere
-    LargeVector<EnrichedGradient> gradient; ///< of eight consecutive particles at once where any of them is enriched
+    std::vector<Reach> reach;        ///< one per particle
+    std::vector<std::int32_t> group; ///< of every eight particles: where `fits` has theirs, -1: nowhere
+    LargeVector<QuadraticFits> fits; ///< where any of the eight is enriched
 
+    /// Where among the particles of all `fits` particle i is.
+    std::int64_t place(std::int64_t i) const { return wide_lanes * group[i / wide_lanes] + i % wide_lanes; }
     /// The farthest reach among the particles [begin, end).
     Reach farthest(std::int64_t begin, std::int64_t end) const;
 };

@@ -51,35 +51,20 @@ CORTICLE_INLINE Real control_stiffening(const material::BasicMaterialPoint<Real>
     }
 }
 
-/// A particle in the reference configuration.
-template <RealLike Real>
-struct ParticleReference
-{
-    Real volume;                  ///< V_i [mm³]
-    BasicMat3<Real> correction;   ///< L_i
-    BasicMat3<Real> gradient;     ///< B_i, which is L_i away from the surface
-    BasicVec3<Real> weighted_sum; ///< b_i = sum_j w_ij X_ij
-    double zeta;                  ///< of TlsphOptions
-};
-
 /// F_i, its cofactor and its determinant.
 template <RealLike Real>
 struct ParticleDeformation
 {
     BasicMat3<Real> F;
-    BasicMat3<Real>
-        linear_F; ///< of the linear fit, sum_j w_ij x_ij X_ij^T L_i, which the zero-energy control refers to
     BasicMat3<Real> cofactor_F;
     Real J;
 };
 
 template <RealLike Real>
-CORTICLE_INLINE ParticleDeformation<Real> particle_deformation(const BasicMat3<Real>& F,
-                                                               const BasicMat3<Real>& linear_F)
+CORTICLE_INLINE ParticleDeformation<Real> particle_deformation(const BasicMat3<Real>& F)
 {
     ParticleDeformation<Real> result;
     result.F = F;
-    result.linear_F = linear_F;
     result.cofactor_F = cofactor(result.F);
     result.J = dot(result.F.column[0], result.cofactor_F.column[0]);
     return result;
@@ -89,41 +74,33 @@ CORTICLE_INLINE ParticleDeformation<Real> particle_deformation(const BasicMat3<R
 template <RealLike Real>
 struct ParticleResponse
 {
-    Real elastic_energy;       ///< [mu_w mm³]
-    Real zero_mode_energy;     ///< [mu_w mm³]
-    Real growth_power;         ///< that of the zero-energy control included [mu_w mm³]
-    Real rate;                 ///< wave speed at density 1 over the smallest principal stretch
-    Real J_e;                  ///< elastic volume ratio
-    Real zeta;                 ///< zeta_i [mu_w]
-    BasicMat3<Real> stress;    ///< V_i P_i [mu_w mm³]
-    BasicMat3<Real> M;         ///< V_i P_i B_i - zeta_i times the linear F_i
-    BasicVec3<Real> own_force; ///< the part of its force that its own state makes [mu_w mm²]
+    Real elastic_energy;    ///< [mu_w mm³]
+    Real zero_mode_energy;  ///< [mu_w mm³]
+    Real growth_power;      ///< that of the zero-energy control included [mu_w mm³]
+    Real rate;              ///< wave speed at density 1 over the smallest principal stretch
+    Real J_e;               ///< elastic volume ratio
+    Real zeta;              ///< zeta_i [mu_w]
+    BasicMat3<Real> stress; ///< V_i P_i [mu_w mm³]
 };
 
-/// @param normal  n, that growth is tangential to   @param sums  over the neighbours   @param deformation  made of them
+/// @param normal  n, that growth is tangential to   @param volume  V_i [mm³]   @param zeta  of TlsphOptions
+/// @param residual  of the fit [mm³]
 template <bool plain, RealLike Real, material::Material<Real> Law>
 CORTICLE_INLINE ParticleResponse<Real>
 particle_response(const Law& law, const material::BasicMaterialPoint<Real>& point, const BasicVec3<Real>& normal,
-                  const ParticleReference<Real>& reference, const DeformationSums<Real>& sums,
-                  const ParticleDeformation<Real>& deformation)
+                  const Real& volume, double zeta, const ParticleDeformation<Real>& deformation, const Real& residual)
 {
-    const BasicMat3<Real>& F = deformation.F;
-    const material::BasicResponse<Real> grown = material::respond<plain>(law, point, normal, F);
-    const Real volume = reference.volume * grown.growth_volume;
-    const Real zeta = control_stiffness<plain>(reference.zeta, point);
-    const Real zero_mode =
-        ScalarOf<Real>(0.5) * zeta * (sums.squared_lengths - contract(sums.moment, deformation.linear_F));
-    const BasicMat3<Real> stress = reference.volume * grown.P;
-    const BasicMat3<Real> M = stress * reference.gradient - zeta * deformation.linear_F;
-    return {volume * grown.energy,
+    const material::BasicResponse<Real> grown = material::respond<plain>(law, point, normal, deformation.F);
+    const Real grown_volume = volume * grown.growth_volume;
+    const Real stiffness = control_stiffness<plain>(zeta, point);
+    const Real zero_mode = ScalarOf<Real>(0.5) * stiffness * residual;
+    return {grown_volume * grown.energy,
             zero_mode,
-            volume * grown.power + control_stiffening<plain>(point) * zero_mode,
+            grown_volume * grown.power + control_stiffening<plain>(point) * zero_mode,
             grown.wave_speed * largest_compression(deformation.cofactor_F, deformation.J),
             grown.J_e,
-            zeta,
-            stress,
-            M,
-            M * reference.weighted_sum + zeta * sums.weighted_sum};
+            stiffness,
+            volume * grown.P};
 }
 
 } // namespace corticle::tlsph

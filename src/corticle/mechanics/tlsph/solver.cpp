@@ -18,7 +18,7 @@ namespace
 struct Records
 {
     const ForceRecord* all;
-    const Mat3* enriched; ///< as PassOutput has them
+    const ProductTerms* products; ///< as PassOutput has them
 };
 
 CORTICLE_INLINE void fill_force_terms(const Block& block, const Records& records, BlockTerms& terms)
@@ -40,7 +40,8 @@ CORTICLE_INLINE void fill_force_terms(const Block& block, const Records& records
         terms.linear[m] = force_terms(record.M, record.x.lane, X, record.x - block.x_origin);
         if (has_products && particles.enriched.reach[j] == EnrichedGradients::Reach::itself)
         {
-            enrich_force_terms(records.enriched[particles.enriched.at[j]], X, terms.linear[m], terms.products[m]);
+            enrich_force_terms(records.products[particles.enriched.place(j)], record.M, X, terms.linear[m],
+                               terms.products[m]);
         }
     }
 }
@@ -74,10 +75,17 @@ CORTICLE_EVERY_ISA void gradient_block(const Block& block, const Vec3* x, BlockT
     for (std::int64_t i = block.begin; i < block.end; i += wide_lanes)
     {
         const WideGroup group{i, std::min(wide_lanes, block.end - i)};
-        GroupEnrichment enrichment;
-        const WideMat3 local = block.particles.enriched.at[i] < 0
-                                   ? linear_deformation(block, x, group, terms).deformation.F
-                                   : enriched_deformation(block, x, group, terms, enrichment).deformation.F;
+        WideMat3 local;
+        if (block.particles.enriched.group[i / wide_lanes] < 0)
+        {
+            const LinearFit fit = linear_fit(block, x, group, terms);
+            local = fit.gradient(fit.coefficients());
+        }
+        else
+        {
+            const QuadraticFit fit = quadratic_fit(block, x, group, terms);
+            local = fit.gradient(fit.coefficients());
+        }
         for (int c = 0; c < 3; ++c)
         {
             group.scatter_vectors(local.column[c], [&](std::int64_t k) -> Vec3& { return F[k].column[c]; });
@@ -95,7 +103,7 @@ TlsphSolver::TlsphSolver(const Particles& particles, const material::Tissue& tis
 TlsphSolver::TlsphSolver(const Particles& particles, const material::Tissue& tissue,
                          std::unique_ptr<const DeformationPass> deformation)
     : particles_(particles), tissue_(tissue), deformation_(std::move(deformation)), records_(particles.X.size()),
-      enriched_records_(particles.enriched.gradient.size())
+      products_(particles.enriched.fits.size() * wide_lanes)
 {
 }
 
@@ -106,7 +114,7 @@ mechanics::InternalResponse TlsphSolver::evaluate(std::span<const Vec3> x, doubl
     require_size("positions", x.size(), particles_.X.size());
     require_size("forces", forces.size(), particles_.X.size());
     const PassInput in{tissue_, t, x.data()};
-    const PassOutput out{records_.data(), enriched_records_.data(), forces.data()};
+    const PassOutput out{records_.data(), products_.data(), forces.data()};
     mechanics::InternalResponse initial;
     initial.smallest_J = std::numeric_limits<double>::infinity();
     const std::int64_t count = std::ssize(x);
@@ -128,7 +136,7 @@ mechanics::InternalResponse TlsphSolver::evaluate(std::span<const Vec3> x, doubl
             [&](std::int64_t begin, std::int64_t end)
             {
                 const Block block = block_of(particles_, x, begin, end);
-                force_block(block, {records_.data(), enriched_records_.data()}, terms_.local(), forces.data());
+                force_block(block, {records_.data(), products_.data()}, terms_.local(), forces.data());
             },
             particles_.pairs.block_size);
         // A non-finite position spreads into its neighbours' J, which the test above sees; energies and the

@@ -38,7 +38,7 @@ class TlsphSolver final : public mechanics::Discretization
     material::Tissue tissue_;
     std::unique_ptr<const DeformationPass> deformation_;
     LargeVector<ForceRecord> records_;
-    LargeVector<Mat3> enriched_records_;
+    LargeVector<ProductTerms> products_;
     PerThread<BlockTerms> terms_; ///< of the block at hand
 };
 
