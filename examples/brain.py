@@ -10,7 +10,8 @@ if not labels.exists():
     corticle.phantom(labels, voxel_mm=2.0)
 
 case = corticle.Case.brain(labels, labels=[2, 3, 5, 7], particles=2000)
-case.update(clock="wang", start_week=23.0, end_week=23.3, law="quadratic", applies_to="body", pictures="off")
+case.update(clock="wang", start_week=23.0, end_week=23.3, applies_to="body", pictures="off")
+case.size.law = "quadratic"
 case.output.weeks = [23.1, 23.2]
 case.tissue.layer = "smooth"
 case.tissue.thickness_mm = 2.5

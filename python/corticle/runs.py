@@ -226,6 +226,20 @@ def render(folder: PathLike) -> None:
     _child.call("render", os.path.abspath(path_text(folder, "folder")))
 
 
+def report(folder: PathLike, *, max_mb: float = 40.0) -> Path:
+    """Writes the page report.html of a run, a comparison or a sweep into its folder, as `corticle report` does.
+
+    Args:
+        folder: of a run, a comparison or a sweep.
+        max_mb: how large the page may be [MB]; beyond that output times, and then vertices, are left out.
+
+    Raises:
+        InputError: it is none of these.
+        RunError: three.js is not installed (Debian: libjs-three), or the page cannot be written.
+    """
+    return Path(_corticle.report(path_text(folder, "folder"), float(max_mb)))
+
+
 def _output(show: Callable[[RunOutput], Any]) -> Callable[[Dict[str, Any]], Any]:
     def made(parts: Dict[str, Any]) -> Any:
         week = None if np.isnan(parts["week"]) else parts["week"]
@@ -241,6 +255,11 @@ def _draw(folder: str, case: Any) -> None:
             render(folder)
         except RunError as error:
             warnings.warn(f"no pictures: {error}", CorticleWarning, stacklevel=3)
+    if case.value("output.report") == "on":
+        try:
+            report(folder)
+        except RunError as error:
+            warnings.warn(f"no report: {error}", CorticleWarning, stacklevel=3)
 
 
 def run(case: Case, out: PathLike, *, body: Optional[PathLike] = None, resume: bool = False, overwrite: bool = False,
@@ -256,7 +275,8 @@ def run(case: Case, out: PathLike, *, body: Optional[PathLike] = None, resume: b
         body: a body file of `corticle prepare`, or its folder; None: the body is prepared now.
         resume: go on with the run in the folder from its checkpoint.
         overwrite: remove an earlier run in the folder first.
-        pictures: False draws none; True those of the case, after the run, in a process of its own.
+        pictures: False draws none and writes no report; True those of the case, after the run, pictures in a process of
+            its own.
         on_output: called at output times, when the files of the output are written.
         progress: show how far it is.
 

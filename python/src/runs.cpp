@@ -5,6 +5,7 @@
 #include "corticle/formats/vtk_files.hpp"
 #include "corticle/metrics/measure_table.hpp"
 #include "corticle/record/run_reader.hpp"
+#include "corticle/report/report.hpp"
 #include "corticle/study/comparison.hpp"
 #include "corticle/study/export.hpp"
 #include "corticle/study/run_folder.hpp"
@@ -222,6 +223,11 @@ void bind_runs(py::module_& module)
     module.def("read_particle_file", &read_particle_file, py::arg("file"));
     module.def(
         "render", [](const std::string& folder) { view::render_run(folder); }, py::arg("folder"));
+    module.def(
+        "report",
+        [](const std::string& folder, double max_mb)
+        { return report::write_report({std::filesystem::absolute(folder), max_mb}).string(); },
+        py::arg("folder"), py::arg("max_mb"));
     module.def(
         "compare",
         [](const std::string& folder, const std::vector<std::string>& others, const std::string& out, bool overwrite)

@@ -25,6 +25,7 @@ def test_what_is_set_is_read_back_and_in_the_toml():
     case = Case.sphere(particles=2000)
     case.tissue.alpha_t = 1.25
     case["time.end"] = np.float64(0.5)
+    case.tissue.layer = "binary"
     case.tissue.lambda_ = 0.8
     assert case["tissue.lambda"] == case["lambda"] == 0.8
     assert (case.geometry.particles, case.tissue.alpha_t, case.time.end) == (2000, 1.25, 0.5)

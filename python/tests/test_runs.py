@@ -110,7 +110,7 @@ def test_ctrl_c_interrupts_with_a_checkpoint(tmp_path):
     timer = threading.Timer(1.0, signal.raise_signal, [signal.SIGINT])
     timer.start()
     with pytest.raises(KeyboardInterrupt):
-        corticle.run(small_case(**{"time.end": 1.0}), tmp_path / "a")
+        corticle.run(small_case(**{"time.end": 1.0, "geometry.particles": 20000}), tmp_path / "a")
     timer.join()
     assert corticle.open_run(tmp_path / "a").status == "interrupted"
     assert (tmp_path / "a" / "checkpoint.h5").exists()

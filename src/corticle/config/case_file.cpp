@@ -47,11 +47,11 @@ class CaseReader
 InputError unknown_section(const std::string& section, const std::string& where)
 {
     const std::string nearest = nearest_section(section);
-    return InputError(fmt::format("unknown section [{}] ({}); {}", printable(section), where,
-                                  nearest.empty()
-                                      ? "expected geometry, map, tissue, solver, thesis, contact, time, size, output, "
-                                        "inputs or expect"
-                                      : "did you mean [" + nearest + "]?"));
+    return InputError(fmt::format(
+        "unknown section [{}] ({}); {}", printable(section), where,
+        nearest.empty() ? "expected geometry, map, tissue, growth, solver, thesis, contact, time, size, output, "
+                          "inputs or expect"
+                        : "did you mean [" + nearest + "]?"));
 }
 
 bool is_section(std::string_view section)

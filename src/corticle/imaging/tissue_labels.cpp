@@ -130,8 +130,9 @@ TissueReader::TissueReader(const LabelVolume& image, const TissueLabels& labels,
     const auto half = static_cast<float>(0.5 * std::cbrt(grid_.voxel_volume()));
     for (std::size_t voxel = 0; voxel < cortex_inside_.size(); ++voxel)
     {
-        const float difference = cortex_inside_[voxel] - to_cortex[voxel];
-        cortex_inside_[voxel] = other[voxel] == 1 ? difference + half : difference - half;
+        // Beyond the body too, so that distances go on across its surface.
+        cortex_inside_[voxel] =
+            to_cortex[voxel] <= cortex_inside_[voxel] ? cortex_inside_[voxel] - half : half - to_cortex[voxel];
     }
     smooth_gaussian(grid_, smoothing_mm, cortex_inside_);
 }
