@@ -12,7 +12,12 @@ _TYPES = {"bool": "bool", "int": "int", "float": "float", "str": "str", "list": 
 
 
 def _split(key):
-    return key.split(".", 1)
+    """Section, which may be one within another, and name: tissue.labels, cortex."""
+    return key.rsplit(".", 1)
+
+
+def _class_name(section):
+    return "".join(part.capitalize() for part in section.split("."))
 
 
 def attribute(key):
@@ -73,10 +78,21 @@ def _sections():
     return rows
 
 
+def _inner(name):
+    """Names of the sections within one."""
+    return [section.rsplit(".", 1)[1] for section in _sections() if "." in section and section.rsplit(".", 1)[0] == name]
+
+
+def _section(name):
+    """The attribute of a section within another."""
+    return property(lambda self: SECTIONS[name](self._case), doc=f"The keys of [{name}].")
+
+
 def _section_class(name, rows):
     keys = {attribute(row["key"]): _key(row) for row in rows}
-    members = {"__slots__": (), "__doc__": f"The keys of [{name}].", "_name": name, "_keys": tuple(keys), **keys}
-    return type(name.capitalize(), (Section,), members)
+    inner = {part: _section(f"{name}.{part}") for part in _inner(name)}
+    members = {"__slots__": (), "__doc__": f"The keys of [{name}].", "_name": name, "_keys": (*keys, *inner), **keys, **inner}
+    return type(_class_name(name), (Section,), members)
 
 
 SECTIONS = {name: _section_class(name, rows) for name, rows in _sections().items()}
@@ -88,7 +104,8 @@ class Sections:
 
     def __init__(self):
         for name, made in SECTIONS.items():
-            object.__setattr__(self, name, made(self))
+            if "." not in name:
+                object.__setattr__(self, name, made(self))
 
 
 def _type_of(row):
@@ -110,12 +127,14 @@ def stub():
              "from typing import Any, Optional, Sequence", "",
              "class Section:", "    def __init__(self, case: Any) -> None: ...", ""]
     for name, rows in _sections().items():
-        lines.append(f"class {name.capitalize()}(Section):")
+        lines.append(f"class {_class_name(name)}(Section):")
         for row in rows:
             lines += _stub_of_key(row)
+        for part in _inner(name):
+            lines.append(f"    @property\n    def {part}(self) -> {_class_name(name + '.' + part)}: ...")
         lines.append("")
     lines += ["class Sections:", "    def __init__(self) -> None: ..."]
-    lines += [f"    {name}: {name.capitalize()}" for name in _sections()]
+    lines += [f"    {name}: {_class_name(name)}" for name in _sections() if "." not in name]
     return "\n".join(lines) + "\n"
 
 

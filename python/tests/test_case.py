@@ -15,8 +15,9 @@ from corticle.sections import attribute
 def test_every_key_is_an_attribute_with_a_docstring():
     case = Case()
     for row in corticle.parameters():
-        section, name = row["key"].split(".")[0], attribute(row["key"])
-        owner = getattr(case, section)
+        owner, name = case, attribute(row["key"])
+        for section in row["key"].split(".")[:-1]:
+            owner = getattr(owner, section)
         assert getattr(owner, name) == case[row["key"]]
         assert row["sentence"] in getattr(type(owner), name).__doc__
 
@@ -30,6 +31,13 @@ def test_what_is_set_is_read_back_and_in_the_toml():
     assert case["tissue.lambda"] == case["lambda"] == 0.8
     assert (case.geometry.particles, case.tissue.alpha_t, case.time.end) == (2000, 1.25, 0.5)
     assert Case.from_toml(case.to_toml()) == case
+
+
+def test_sections_within_sections():
+    case = Case.sphere(particles=2000)
+    case.tissue.labels.cortex = [2]
+    assert case["tissue.labels.cortex"] == case.tissue.labels.cortex == [2]
+    assert "labels" in dir(case.tissue) and "cortex = [2]" in repr(case.tissue.labels)
 
 
 def test_what_is_deleted_is_the_default_again():
