@@ -134,6 +134,14 @@ inline Parameter without_thickness_preset(Parameter parameter)
     return parameter;
 }
 
+/// A key of growth by t, which growth by week replaces.
+inline Parameter without_growth_by_week(Parameter parameter)
+{
+    parameter.get = [get = parameter.get](const Options& options) -> Value
+    { return options.tissue.growth_source == material::GrowthSource::keys ? get(options) : Unsupported{}; };
+    return parameter;
+}
+
 /// A key of the thesis's formulation, which other cases do not have.
 inline Parameter of_thesis(Parameter parameter)
 {
