@@ -238,7 +238,7 @@ def sweep_page(bench, browser):
     order = browser.evaluate("[...document.querySelectorAll('.runs tbody tr')].map((row) => row.children[1].textContent)")
     bench.check(order == ["1.8", "1.6", "1.4"], f"sweep: sorted by alpha_t, the table has {order}")
     browser.evaluate("document.querySelector('.runs tbody tr').click()")
-    bench.check(browser.evaluate("document.querySelectorAll('.mark.selected').length + document.querySelectorAll('.pane-names .selected').length") == 2,
+    bench.check(browser.wait_for("document.querySelectorAll('.mark.selected').length + document.querySelectorAll('.pane-names .selected').length === 2", 20),
                 "sweep: a row selects no point and no shape")
     check_clean(bench, browser, "sweep")
 
