@@ -225,8 +225,9 @@ void bind_runs(py::module_& module)
         "render", [](const std::string& folder) { view::render_run(folder); }, py::arg("folder"));
     module.def(
         "report",
-        [](const std::string& folder, double max_mb)
-        { return report::write_report({std::filesystem::absolute(folder), max_mb}).string(); },
+        [](const std::string& folder, double max_mb) {
+            return report::write_report({std::filesystem::absolute(folder), max_mb}).string();
+        },
         py::arg("folder"), py::arg("max_mb"));
     module.def(
         "compare",
