@@ -23,6 +23,9 @@ FLAT_UNTIL = {"sphere": 0.2, "ellipsoid": 0.2}
 FLATNESS = 1e-3
 FOLDED_FROM = 0.5
 FOLDED = 1.1
+# By the fetal law white matter grows along: folds of the smooth phantom stay shallow, and its cortex of 1.8 mm is thinner than
+# a spacing here. How real brains fold is looked at in validation/fetal.
+FOLDED_OF = {"fetal": 1.04}
 
 # Elastic, zero-mode, kinetic, contact and dissipated energy over the work of growth at the end: 1.002 to 1.005 at 6,000
 # particles, where the energy balance is of first order in the step. A force that is not the derivative of its energy breaks this.
@@ -101,8 +104,9 @@ def check_folds(bench, name, rows):
         if t <= FLAT_UNTIL.get(name, -1.0):
             bench.check(abs(index - 1) < FLATNESS, f"{name}: hull index {index} at t = {t:.2f}, expected 1: folds early")
         if t >= FOLDED_FROM:
-            bench.check(index > FOLDED * rows[0]["gi_hull"],
-                        f"{name}: hull index {index} at t = {t:.2f}, expected above {FOLDED} times that at t = 0: no folds")
+            folded = FOLDED_OF.get(name, FOLDED)
+            bench.check(index > folded * rows[0]["gi_hull"],
+                        f"{name}: hull index {index} at t = {t:.2f}, expected above {folded} times that at t = 0: no folds")
 
 
 def balance_of(row):
