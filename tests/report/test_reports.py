@@ -117,7 +117,7 @@ def check_values(bench, browser, folder, what):
         bench.check(same, f"{what}: plotted {column['key']} {column['values']} are not {expected}")
     box = browser.evaluate("(({x, y, width, height}) => [x, y, width, height])(document.querySelector('.stage').getBoundingClientRect())")
     browser.click(box[0] + 0.5 * box[2], box[1] + 0.5 * box[3])
-    bench.check(browser.wait_for("document.querySelector('.picked h3')", 60), f"{what}: a click on the surface shows nothing")
+    bench.check(browser.wait_for("document.querySelector('.picked h3') !== null", 60), f"{what}: a click on the surface shows nothing")
     vertex = browser.evaluate("corticleReport.picker.vertex")
     frame = sorted(folder.glob("surface_*.vtp"))[-1]
     output = bench.accepted("export", folder, "--format", "ply", "--out", folder / "ply")
