@@ -4,7 +4,7 @@
 #include "corticle/prepare/options.hpp"
 #include "corticle/record/run_request.hpp"
 #include "corticle/report/report.hpp"
-#include "corticle/study/comparison.hpp"
+#include "corticle/study/comparison/comparison.hpp"
 #include "corticle/study/export.hpp"
 #include "corticle/study/preparation_folder.hpp"
 #include "corticle/study/sweep/sweep.hpp"

@@ -6,7 +6,7 @@
 #include "corticle/metrics/measure_table.hpp"
 #include "corticle/record/run_reader.hpp"
 #include "corticle/report/report.hpp"
-#include "corticle/study/comparison.hpp"
+#include "corticle/study/comparison/comparison.hpp"
 #include "corticle/study/export.hpp"
 #include "corticle/study/run_folder.hpp"
 #include "corticle/view/run_pictures.hpp"

@@ -7,7 +7,7 @@
 #include "corticle/formats/volumes/nifti.hpp"
 #include "corticle/geometry/validate.hpp"
 #include "corticle/imaging/phantom.hpp"
-#include "corticle/study/real_surface.hpp"
+#include "corticle/study/comparison/real_surface.hpp"
 #include "gate.hpp"
 #include "module.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/study/real_surface.hpp"
+#include "corticle/study/comparison/real_surface.hpp"
 
 #include "corticle/base/error.hpp"
 #include "corticle/formats/volumes/nifti.hpp"

@@ -7,7 +7,7 @@
 #include "corticle/metrics/fold_measures.hpp"
 #include "corticle/report/plain_text.hpp"
 #include "corticle/report/sources.hpp"
-#include "corticle/study/real_surface.hpp"
+#include "corticle/study/comparison/real_surface.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/record/summary.hpp"
-#include "corticle/study/run_comparison.hpp"
+#include "corticle/study/comparison/run_comparison.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "corticle/record/result_folder.hpp"
-#include "corticle/study/comparison.hpp"
+#include "corticle/study/comparison/comparison.hpp"
 #include "corticle/study/sweep/sweep_folder.hpp"
 
 namespace corticle::sweep

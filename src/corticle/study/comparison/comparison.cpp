@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/study/comparison.hpp"
+#include "corticle/study/comparison/comparison.hpp"
 
 #include "corticle/base/error.hpp"
 #include "corticle/formats/atomic_file.hpp"
 #include "corticle/record/result_folder.hpp"
-#include "corticle/study/real_comparison.hpp"
-#include "corticle/study/run_comparison.hpp"
+#include "corticle/study/comparison/real_comparison.hpp"
+#include "corticle/study/comparison/run_comparison.hpp"
 #include "corticle/view/pictures.hpp"
 
 #include <fmt/format.h>

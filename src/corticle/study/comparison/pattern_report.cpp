@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/study/pattern_report.hpp"
+#include "corticle/study/comparison/pattern_report.hpp"
 
 #include "corticle/study/markdown.hpp"
 

@@ -3,8 +3,8 @@
 
 #include "corticle/metrics/surface_rows.hpp"
 #include "corticle/record/run_reader.hpp"
-#include "corticle/study/comparison.hpp"
-#include "corticle/study/pattern_report.hpp"
+#include "corticle/study/comparison/comparison.hpp"
+#include "corticle/study/comparison/pattern_report.hpp"
 
 #include <optional>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/study/run_comparison.hpp"
+#include "corticle/study/comparison/run_comparison.hpp"
 
 #include "corticle/base/error.hpp"
 

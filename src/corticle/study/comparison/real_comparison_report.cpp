@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/study/real_comparison.hpp"
+#include "corticle/study/comparison/real_comparison.hpp"
 #include "corticle/view/pictures.hpp"
 
 #include "corticle/base/version.hpp"

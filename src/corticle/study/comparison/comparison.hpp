@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/study/real_surface.hpp"
+#include "corticle/study/comparison/real_surface.hpp"
 
 #include <filesystem>
 #include <string>

@@ -3,7 +3,7 @@
 
 #include "corticle/metrics/comparison.hpp"
 #include "corticle/record/run_reader.hpp"
-#include "corticle/study/comparison.hpp"
+#include "corticle/study/comparison/comparison.hpp"
 
 #include <array>
 

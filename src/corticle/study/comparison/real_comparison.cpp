@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/study/real_comparison.hpp"
+#include "corticle/study/comparison/real_comparison.hpp"
 
 #include "corticle/base/error.hpp"
 #include "corticle/formats/text_scan.hpp"
 #include "corticle/formats/vtk_files.hpp"
 #include "corticle/metrics/comparison.hpp"
-#include "corticle/study/real_surface.hpp"
+#include "corticle/study/comparison/real_surface.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
