@@ -2,6 +2,7 @@
 """Small bodies for all tests."""
 
 import os
+import signal
 from pathlib import Path
 
 import pytest
@@ -15,6 +16,14 @@ corticle.set_threads(1)  # bodies of tests are small
 
 def small_case(**keys):
     return corticle.Case.sphere({"geometry.particles": 1000, "time.end": 0.1, "output.count": 2, "output.pictures": "off", **keys})
+
+
+@pytest.fixture(scope="session", autouse=True)
+def ctrl_c():
+    """A shell starts what runs in its background with interrupts ignored: the tests of Ctrl-C are to see them."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
 
 
 @pytest.fixture(scope="session")
