@@ -21,6 +21,6 @@ if [[ " $* " == *" --test "* ]]; then
     # From elsewhere, so that it is the installed package that is tested.
     source=$PWD
     cd build
-    CORTICLE_COMMAND=$source/build/release/bin/corticle timeout 900 "$venv/bin/python" -m pytest -q -p no:cacheprovider -c "$source/pyproject.toml" \
-        --rootdir "$source" "$source/python/tests"
+    CORTICLE_COMMAND=$source/build/release/bin/corticle timeout 900 "$venv/bin/python" -m pytest -q -p no:cacheprovider \
+        -c "$source/pyproject.toml" --rootdir "$source" "$source/python/tests"
 fi
