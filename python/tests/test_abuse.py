@@ -129,13 +129,17 @@ def test_a_forked_child_is_refused_and_a_spawned_one_works(body):
     assert answers["spawn"] == "worked"
 
 
+def assert_ends_well(script):
+    assert subprocess.run([sys.executable, "-W", "ignore", "-c", script], timeout=120, check=False).returncode == 0
+
+
 def test_fork_before_any_work_is_fine():
     script = ("import os, corticle\n"
               "child = os.fork()\n"
               "case = corticle.Case.sphere({'geometry.particles': 600, 'time.end': 0.001})\n"
               "corticle.Simulation(corticle.prepare(case)).step()\n"
               "if child: assert os.waitpid(child, 0)[1] == 0\n")
-    assert subprocess.run([sys.executable, "-W", "ignore", "-c", script], timeout=120, check=False).returncode == 0
+    assert_ends_well(script)
 
 
 def test_the_end_of_the_interpreter_in_the_midst_of_a_run():
@@ -144,7 +148,7 @@ def test_the_end_of_the_interpreter_in_the_midst_of_a_run():
               "simulation = corticle.Simulation(corticle.prepare(case))\n"
               "threading.Thread(target=simulation.run, daemon=True).start()\n"
               "threading.Event().wait(0.3)\n")
-    assert subprocess.run([sys.executable, "-W", "ignore", "-c", script], timeout=120, check=False).returncode == 0
+    assert_ends_well(script)
 
 
 def test_deep_recursion_in_a_callback(simulation):

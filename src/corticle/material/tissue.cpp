@@ -101,9 +101,7 @@ TissueGrowthAt growth_by_keys(const TissueOptions& options, const GrowthCourse& 
 MaterialPoint Tissue::labelled_point(std::size_t i, double t) const
 {
     const TissueKind kind = fields.kind[i];
-    const GrowthCourse course{options.growth_law,
-                              fields.growth_onset.empty() ? options.growth_onset : fields.growth_onset[i],
-                              fields.growth_rate.empty() ? options.growth_rate : fields.growth_rate[i]};
+    const GrowthCourse course = course_of(i);
     const auto growth_of = [&](TissueKind of)
     { return fields.growth ? fields.growth->at(of, t) : growth_by_keys(options, course, of, t); };
     const TissueGrowthAt cortex = growth_of(TissueKind::cortex);
@@ -126,13 +124,6 @@ MaterialPoint Tissue::labelled_point(std::size_t i, double t) const
         point.radial_growth_rate += m * rate * (cortex.radial - other.radial);
         point.shear_rate = rate * (cortex_moduli.shear - other_moduli.shear);
         point.bulk_rate = rate * (cortex_moduli.bulk - other_moduli.bulk);
-    }
-    if (!state.past.empty())
-    {
-        point.growth /= state.past[i].tangential;
-        point.growth_rate /= state.past[i].tangential;
-        point.radial_growth /= state.past[i].radial;
-        point.radial_growth_rate /= state.past[i].radial;
     }
     return point;
 }

@@ -82,25 +82,7 @@ struct Tissue
     /// Moduli and growth of particle i at t.
     MaterialPoint point(std::size_t i, double t) const
     {
-        if (is_by_tissue())
-        {
-            return labelled_point(i, t);
-        }
-        const GrowthCourse course{options.growth_law,
-                                  fields.growth_onset.empty() ? options.growth_onset : fields.growth_onset[i],
-                                  fields.growth_rate.empty() ? options.growth_rate : fields.growth_rate[i]};
-        MaterialPoint point = material_point(options, state.theta[i], fields.regional_rate[i], course.value(t));
-        const double slope = course.slope(t);
-        point.growth_rate *= slope;
-        point.radial_growth_rate *= slope;
-        if (!state.theta_rate.empty())
-        {
-            const double per_theta = state.theta_rate[i] * fields.regional_rate[i] * course.value(t);
-            point.growth_rate += per_theta * (options.alpha_t - options.alpha_white);
-            point.radial_growth_rate += per_theta * (options.alpha_r - options.alpha_white);
-            point.shear_rate = state.theta_rate[i] * (options.mu_cortex - options.mu_white);
-            point.bulk_rate = options.bulk == BulkRule::per_tissue ? options.bulk_modulus * point.shear_rate : 0.0;
-        }
+        MaterialPoint point = is_by_tissue() ? labelled_point(i, t) : point_by_theta(i, t);
         if (!state.past.empty())
         {
             point.growth /= state.past[i].tangential;
@@ -122,6 +104,29 @@ struct Tissue
     }
 
   private:
+    GrowthCourse course_of(std::size_t i) const
+    {
+        return {options.growth_law, fields.growth_onset.empty() ? options.growth_onset : fields.growth_onset[i],
+                fields.growth_rate.empty() ? options.growth_rate : fields.growth_rate[i]};
+    }
+    // Both as they grow from t = 0, whatever is past.
+    MaterialPoint point_by_theta(std::size_t i, double t) const
+    {
+        const GrowthCourse course = course_of(i);
+        MaterialPoint point = material_point(options, state.theta[i], fields.regional_rate[i], course.value(t));
+        const double slope = course.slope(t);
+        point.growth_rate *= slope;
+        point.radial_growth_rate *= slope;
+        if (!state.theta_rate.empty())
+        {
+            const double per_theta = state.theta_rate[i] * fields.regional_rate[i] * course.value(t);
+            point.growth_rate += per_theta * (options.alpha_t - options.alpha_white);
+            point.radial_growth_rate += per_theta * (options.alpha_r - options.alpha_white);
+            point.shear_rate = state.theta_rate[i] * (options.mu_cortex - options.mu_white);
+            point.bulk_rate = options.bulk == BulkRule::per_tissue ? options.bulk_modulus * point.shear_rate : 0.0;
+        }
+        return point;
+    }
     /// theta of the cortex, 1 - theta of the tissue that is there: moduli and growth are those of the two by share.
     MaterialPoint labelled_point(std::size_t i, double t) const;
 };

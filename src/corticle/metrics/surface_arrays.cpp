@@ -91,9 +91,8 @@ SurfaceArrays surface_arrays(const model::OutputView& view)
     const CarriedCloud carried{cloud.positions, view.state().motion.x, *view.F, cloud.spacing};
     std::vector<Vec3> inner =
         model::scaled(carried_points(carried, cortex_boundary(view.simulation)), view.scale.length);
-    const double inner_area = surface_area(inner, view.triangles());
     return {fold_fields(view.surface, view.triangles(), fold_options(view)),
-            cortical_thickness(view.surface, inner, view.triangles()), std::move(inner), inner_area};
+            cortical_thickness(view.surface, inner, view.triangles()), std::move(inner)};
 }
 
 ReferenceFolds reference_folds(const model::OutputView& view)

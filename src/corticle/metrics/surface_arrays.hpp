@@ -13,7 +13,6 @@ struct SurfaceArrays
     FoldFields folds;
     std::vector<double> thickness; ///< of the cortex [mm]
     std::vector<Vec3> boundary;    ///< of cortex and white matter: the point below each vertex [mm]
-    double inner_area_mm2 = 0.0;   ///< of the boundary of cortex and white matter
 };
 
 SurfaceArrays surface_arrays(const model::OutputView& view);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/record/frames.hpp"
 
+#include "corticle/base/gather.hpp"
 #include "corticle/base/parallel.hpp"
 #include "corticle/formats/vtk_files.hpp"
 #include "corticle/model/node_stress.hpp"
@@ -41,17 +42,6 @@ std::vector<double> von_mises(std::span<const double> stress)
         result[i] = std::sqrt(1.5 * squares);
     }
     return result;
-}
-
-std::vector<double> flattened(std::span<const Vec3> points)
-{
-    std::vector<double> numbers;
-    numbers.reserve(3 * points.size());
-    for (const Vec3& point : points)
-    {
-        numbers.insert(numbers.end(), {point.x, point.y, point.z});
-    }
-    return numbers;
 }
 
 double growth_at(const model::Simulation& simulation, std::size_t i)

@@ -2,6 +2,7 @@
 #include "corticle/report/body.hpp"
 
 #include "corticle/base/error.hpp"
+#include "corticle/base/gather.hpp"
 #include "corticle/config/case_file.hpp"
 #include "corticle/formats/vtk_files.hpp"
 #include "corticle/report/packed.hpp"
@@ -39,17 +40,6 @@ std::vector<Vec3> points_of(std::span<const double> numbers)
     return points;
 }
 
-std::vector<double> flattened(std::span<const Vec3> points)
-{
-    std::vector<double> numbers;
-    numbers.reserve(3 * points.size());
-    for (const Vec3& point : points)
-    {
-        numbers.insert(numbers.end(), {point.x, point.y, point.z});
-    }
-    return numbers;
-}
-
 /// The week at t of a run with a clock.
 double week_at(const formats::NumberTable& measures, double t)
 {
@@ -83,17 +73,6 @@ BodyFrame take_frame(formats::SurfaceFile file, double t, double week)
     return frame;
 }
 
-template <class T>
-std::vector<T> chosen_of(const std::vector<T>& values, std::span<const std::int32_t> kept)
-{
-    std::vector<T> chosen;
-    for (const std::int32_t v : kept)
-    {
-        chosen.push_back(values[static_cast<std::size_t>(v)]);
-    }
-    return chosen;
-}
-
 Body thinned(const Body& body, std::size_t vertices)
 {
     const ThinSurface thin = thin_surface(body.triangles, body.frames.front().points.size(), vertices);
@@ -101,11 +80,11 @@ Body thinned(const Body& body, std::size_t vertices)
     for (const BodyFrame& frame : body.frames)
     {
         BodyFrame& less = result.frames.emplace_back(BodyFrame{frame.t, frame.week, {}, {}, {}});
-        less.points = chosen_of(frame.points, thin.kept);
-        less.boundary = frame.boundary.empty() ? frame.boundary : chosen_of(frame.boundary, thin.kept);
+        less.points = gather<Vec3>(frame.points, thin.kept);
+        less.boundary = frame.boundary.empty() ? frame.boundary : gather<Vec3>(frame.boundary, thin.kept);
         for (const auto& [key, values] : frame.scalars)
         {
-            less.scalars.emplace_back(key, chosen_of(values, thin.kept));
+            less.scalars.emplace_back(key, gather<double>(values, thin.kept));
         }
     }
     return result;

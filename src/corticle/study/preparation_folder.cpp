@@ -2,6 +2,7 @@
 #include "corticle/study/preparation_folder.hpp"
 
 #include "corticle/base/error.hpp"
+#include "corticle/base/gather.hpp"
 #include "corticle/base/parallel.hpp"
 #include "corticle/base/version.hpp"
 #include "corticle/cloud/quality.hpp"
@@ -63,17 +64,6 @@ void require_free_folder(const record::ResultFolder& folder, const PrepareReques
             "{}: holds a prepared body already; expected another folder, or --overwrite to replace it", folder.name()));
     }
     folder.require_free(written_files(request, request.options.output.pictures == config::PictureRule::on));
-}
-
-std::vector<double> flattened(std::span<const Vec3> vectors)
-{
-    std::vector<double> result;
-    result.reserve(3 * vectors.size());
-    for (const Vec3& v : vectors)
-    {
-        result.insert(result.end(), {v.x, v.y, v.z});
-    }
-    return result;
 }
 
 /// Edges of the box along the axes [mm].

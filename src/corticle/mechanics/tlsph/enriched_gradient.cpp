@@ -98,9 +98,10 @@ Shape shape_of(const Cloud& cloud, const PairBlocks& pairs, double support, std:
         const auto w = static_cast<double>(pairs.weight[k]);
         const Vec3 X = cloud.positions[j] - cloud.positions[i];
         Vector9 p;
-        p << X.x, X.y, X.z, products(X) / support;
+        const Vector6 squares = products(X);
+        p << X.x, X.y, X.z, squares / support;
         shape.matrix += w * p * p.transpose();
-        shape.second_moment += w * products(X);
+        shape.second_moment += w * squares;
         shape.thin = shape.thin || dot(on_surface[i], on_surface[j]) < -0.5;
     }
     return shape;
