@@ -47,6 +47,25 @@ TEST(TissueGrowth, RatesAreDerivatives)
     }
 }
 
+TEST(TissueGrowth, MeanRateIsThatOfTheGrownVolume)
+{
+    const TissueGrowth growth(two_tissues, GestationalClock::wang, 23.0, 38.0);
+    const PerTissue<double> volumes{3.0, 5.0, 2.0}; // deep tissue does not grow
+    const auto length = [&](double t)
+    {
+        double volume = 2.0;
+        for (const TissueKind kind : {TissueKind::cortex, TissueKind::white})
+        {
+            const TissueGrowthAt g = growth.at(kind, t);
+            volume += volumes[static_cast<std::size_t>(kind)] * g.tangential * g.tangential * g.radial;
+        }
+        return std::cbrt(volume);
+    };
+    constexpr double t = 0.3;
+    constexpr double h = 1e-6;
+    EXPECT_NEAR(growth.mean_rate(volumes, t), std::log(length(t + h) / length(t - h)) / (2 * h), 1e-6);
+}
+
 std::string refusal(std::vector<GrowthRow> rows, double start = 23.0, double end = 38.0)
 {
     try

@@ -40,6 +40,11 @@ class TissueGrowth
 
     TissueGrowthAt at(TissueKind tissue, double t) const;
 
+    /// How fast a body would lengthen if its parts grew without holding each other back, d ln L/dt: a third of what its
+    /// grown volume V = sum of V_k g_t² g_r does.
+    /// @param volumes  V_k, reference volumes of the tissues
+    double mean_rate(const PerTissue<double>& volumes, double t) const;
+
   private:
     /// g at evenly spaced t.
     struct Course
