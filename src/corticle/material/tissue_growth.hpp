@@ -59,6 +59,7 @@ class TissueGrowth
 };
 
 /// Growth of the tissues of a fetal brain from week 20 to 40: see docs/theory/growth-law.md.
-std::vector<GrowthRow> fetal_growth();
+/// @param start_week  of the body as given, within these weeks
+std::vector<GrowthRow> fetal_growth(double start_week);
 
 } // namespace corticle::material
