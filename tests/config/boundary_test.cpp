@@ -121,6 +121,7 @@ TEST(BoundaryKeys, AResolvedCaseReadsBackTheSame)
 TEST(BoundaryKeys, RefuseWhatDoesNothingOrContradictsItself)
 {
     EXPECT_THAT(message_of("[boundary]\noffset_mm = 3\n"), HasSubstr("boundary.offset_mm (case.toml:2)"));
+    EXPECT_EQ(message_of("[boundary]\nshape = \"none\"\noffset_mm = 3\n"), "accepted"); // switched off
     EXPECT_THAT(message_of("[boundary]\nshape = \"file\"\n"), HasSubstr("boundary.file is missing"));
     EXPECT_THAT(message_of("[boundary]\nfluid = \"conserved\"\n"), HasSubstr("a skull that encloses the fluid"));
     EXPECT_THAT(message_of("[boundary]\nshape = \"offset\"\n[contact]\nenabled = false\n"),

@@ -40,6 +40,10 @@ void check_shape(const Options& options, const Place& place)
                                      "boundary.shape{} is \"file\"",
                                      place("boundary.shape")));
     }
+    if (skull.shape == SkullShape::none && !place("boundary.shape").empty())
+    {
+        return; // a skull that was switched off
+    }
     const bool none = skull.shape == SkullShape::none;
     refuse(options, "boundary.file", skull.shape != SkullShape::file, "boundary.shape = \"file\"", place);
     refuse(options, "boundary.offset_mm", skull.shape != SkullShape::offset, "boundary.shape = \"offset\"", place);
@@ -70,6 +74,10 @@ void check_fluid(const Options& options, const Place& place)
         throw InputError(fmt::format("boundary.ventricle_pressure{} is {:g}, but no label says where the ventricles "
                                      "are: expected tissue.labels.ventricle",
                                      place("boundary.ventricle_pressure"), skull.ventricle_pressure));
+    }
+    if (skull.fluid == Fluid::none && !place("boundary.fluid").empty())
+    {
+        return; // a fluid that was switched off
     }
     refuse(options, "boundary.pressure", skull.fluid != Fluid::constant, "boundary.fluid = \"constant\"", place);
     refuse(options, "boundary.pressure_time", skull.fluid != Fluid::constant && skull.ventricle_pressure == 0.0,

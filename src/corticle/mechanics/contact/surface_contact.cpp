@@ -3,6 +3,7 @@
 
 #include "corticle/base/parallel.hpp"
 #include "corticle/base/simd.hpp"
+#include "corticle/mechanics/contact/owner_blocks.hpp"
 #include "corticle/mesh/sizes.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +21,6 @@ namespace corticle::contact
 namespace
 {
 
-constexpr std::int64_t owners_at_a_time = 256;
 constexpr std::int64_t word_bits = 64;
 
 /// Those who repel the other part if the pair is their closest: the vertex of a triangle, or both edges.
@@ -230,45 +230,6 @@ double SurfaceContact::energy() const
                             });
     };
     return of_owners(vertices_) + of_owners(edges_);
-}
-
-template <class Pair>
-void SurfaceContact::add_wall_contact(const Owners<Pair>& owners, WallContact& sum) const
-{
-    for (std::size_t block = 0; block < owners.count.size(); ++block)
-    {
-        const auto first = static_cast<std::int64_t>(block) * owners_at_a_time;
-        for (std::int64_t m = first; m < first + owners.count[block]; ++m)
-        {
-            const Push& push = owners.pushes[m];
-            if (std::ranges::none_of(push.vertex, [&](std::int32_t vertex) { return vertex >= wall_; }))
-            {
-                continue;
-            }
-            const std::int32_t owner = owners.repelling[m];
-            sum.force += norm(push.force);
-            sum.energy += owners.barrier[owner].energy(owners.closest[0][owner].distance);
-            for (const std::int32_t vertex : push.vertex)
-            {
-                if (vertex < wall_)
-                {
-                    sum.is_pushed[static_cast<std::size_t>(vertex)] = 1;
-                }
-            }
-        }
-    }
-}
-
-WallContact SurfaceContact::wall_contact() const
-{
-    WallContact sum;
-    if (wall_ != no_wall)
-    {
-        sum.is_pushed.resize(static_cast<std::size_t>(wall_));
-        add_wall_contact(vertices_, sum);
-        add_wall_contact(edges_, sum);
-    }
-    return sum;
 }
 
 /// Finds who repels what, and works out these pushes.
