@@ -56,6 +56,10 @@ class Section:
         except ValueError as error:
             raise AttributeError(str(error)) from None
 
+    def __getitem__(self, number):
+        """One of a list of tables, from 1: `case.support[2]` is the second [[support]]."""
+        return getattr(self, str(number))
+
     def __dir__(self):
         return [*super().__dir__(), *self._keys]
 
@@ -74,7 +78,10 @@ def _key(row):
 def _sections():
     rows = {}
     for row in _corticle.parameters():
-        rows.setdefault(_split(row["key"])[0], []).append(row)
+        section = _split(row["key"])[0]
+        if "." in section:
+            rows.setdefault(section.rsplit(".", 1)[0], [])
+        rows.setdefault(section, []).append(row)
     return rows
 
 
@@ -125,12 +132,13 @@ def stub():
     lines = ["# SPDX-License-Identifier: GPL-3.0-or-later",
              "# Made by `python -m corticle.sections > python/corticle/sections.pyi`; a test says when that is due.",
              "from typing import Any, Optional, Sequence", "",
-             "class Section:", "    def __init__(self, case: Any) -> None: ...", ""]
+             "class Section:", "    def __init__(self, case: Any) -> None: ...",
+             "    def __getitem__(self, number: int) -> Any: ...", ""]
     for name, rows in _sections().items():
         lines.append(f"class {_class_name(name)}(Section):")
         for row in rows:
             lines += _stub_of_key(row)
-        for part in _inner(name):
+        for part in filter(str.isidentifier, _inner(name)):
             lines.append(f"    @property\n    def {part}(self) -> {_class_name(name + '.' + part)}: ...")
         lines.append("")
     lines += ["class Sections:", "    def __init__(self) -> None: ..."]

@@ -99,6 +99,24 @@ void check_method(const Options& options, const Place& place)
     require("geometry.normals", "divisions", geometry.normals == prepare::NormalRule::surface, "\"surface\"");
 }
 
+/// What fits a body that is round, or has cortex all around.
+void check_box(const Options& options, const Place& place)
+{
+    const auto refuse = [&](std::string_view key, bool is_set, std::string_view expected)
+    {
+        if (is_set && options.geometry.shape == prepare::Shape::box)
+        {
+            throw InputError(fmt::format("{}{} is given, but geometry.shape{} is \"box\": expected {}", key, place(key),
+                                         place("geometry.shape"), expected));
+        }
+    };
+    const prepare::GeometryOptions& geometry = options.geometry;
+    refuse("tissue.lambda", options.tissue.lambda > 0.0, "0, and tissue.thickness_mm");
+    refuse("geometry.grading", geometry.grading > 1.0, "1");
+    refuse("geometry.normals", geometry.normals != prepare::NormalRule::surface, "\"surface\"");
+    refuse("geometry.volumes", geometry.volumes != prepare::VolumeRule::cells, "\"cells\"");
+}
+
 void check_maps(const prepare::MapOptions& map, const Place& place)
 {
     if (map.region_file.empty() != map.region_table.empty())
@@ -217,6 +235,10 @@ double shape_volume(const prepare::GeometryOptions& geometry)
     {
         return factor * std::pow(geometry.radius_mm, 3);
     }
+    if (geometry.shape == prepare::Shape::box)
+    {
+        return geometry.size_mm[0] * geometry.size_mm[1] * geometry.size_mm[2];
+    }
     const auto& axes = geometry.semi_axes_mm;
     return geometry.shape == prepare::Shape::ellipsoid ? factor * axes[0] * axes[1] * axes[2] : 0.0;
 }
@@ -227,6 +249,7 @@ void check_case(const Options& options, const Place& place)
     check_file_keys(options.geometry, place);
     check_method(options, place);
     check_grading(options, place);
+    check_box(options, place);
     check_maps(options.map, place);
     check_particle_count(options.geometry, place);
     check_tissue(options, place);

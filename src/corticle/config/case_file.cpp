@@ -2,6 +2,7 @@
 #include "corticle/config/case_file.hpp"
 
 #include "corticle/base/error.hpp"
+#include "corticle/config/boundary_keys.hpp"
 #include "corticle/config/case_checks.hpp"
 #include "corticle/config/case_inputs.hpp"
 #include "corticle/config/case_text.hpp"
@@ -50,7 +51,7 @@ InputError unknown_section(const std::string& section, const std::string& where)
     return InputError(fmt::format(
         "unknown section [{}] ({}); {}", printable(section), where,
         nearest.empty() ? "expected geometry, map, tissue, growth, solver, thesis, contact, time, size, output, "
-                          "inputs or expect"
+                          "boundary, support, inputs or expect"
                         : "did you mean [" + nearest + "]?"));
 }
 
@@ -224,6 +225,8 @@ Options CaseReader::finish()
     settle_formulation(options_, place);
     settle_weeks(options_, place);
     settle_thickness(options_.tissue, place);
+    settle_supports(options_, place);
+    settle_boundary(options_, place);
     check_case(options_, place);
     return options_;
 }

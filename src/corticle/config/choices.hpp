@@ -3,6 +3,7 @@
 
 #include "corticle/config/options.hpp"
 #include "corticle/material/thickness_presets.hpp"
+#include "corticle/mechanics/boundary/options.hpp"
 #include "corticle/metrics/fold_measures.hpp"
 
 #include <string>
@@ -106,6 +107,36 @@ template <>
 inline std::vector<std::string> names<prepare::Shape>()
 {
     return {prepare::shape_names.begin(), prepare::shape_names.end()};
+}
+template <>
+inline std::vector<std::string> names<boundary::SupportKind>()
+{
+    return {"none", "fixed", "roller", "displacement"};
+}
+template <>
+inline std::vector<std::string> names<boundary::Face>()
+{
+    return {boundary::face_names.begin(), boundary::face_names.end()};
+}
+template <>
+inline std::vector<std::string> names<boundary::Axes>()
+{
+    return {boundary::axes_names.begin(), boundary::axes_names.end()};
+}
+template <>
+inline std::vector<std::string> names<boundary::SkullShape>()
+{
+    return {"none", "offset", "ellipsoid", "file"};
+}
+template <>
+inline std::vector<std::string> names<boundary::SkullKind>()
+{
+    return {"rigid", "elastic"};
+}
+template <>
+inline std::vector<std::string> names<boundary::Fluid>()
+{
+    return {"none", "constant", "conserved"};
 }
 template <>
 inline std::vector<std::string> names<prepare::Arrangement>()

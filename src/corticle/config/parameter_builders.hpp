@@ -81,11 +81,10 @@ inline constexpr std::size_t list_length = 0;
 template <std::size_t size>
 inline constexpr std::size_t list_length<std::array<double, size>> = size;
 
-/// A parameter kept in the member that `access(options)` refers to.
-template <class Access>
-Parameter parameter(std::string key, std::string unit, Range range, std::string sentence, Access access)
+/// What is known of a parameter of this type but where it is kept.
+template <class T>
+Parameter described(std::string key, std::string unit, Range range, std::string sentence)
 {
-    using T = std::remove_cvref_t<decltype(access(std::declval<Options&>()))>;
     Parameter result;
     result.key = std::move(key);
     result.kind = Member<T>::kind;
@@ -97,6 +96,15 @@ Parameter parameter(std::string key, std::string unit, Range range, std::string 
     {
         result.choices = names<T>();
     }
+    return result;
+}
+
+/// A parameter kept in the member that `access(options)` refers to.
+template <class Access>
+Parameter parameter(std::string key, std::string unit, Range range, std::string sentence, Access access)
+{
+    using T = std::remove_cvref_t<decltype(access(std::declval<Options&>()))>;
+    Parameter result = described<T>(std::move(key), std::move(unit), range, std::move(sentence));
     result.get = [access](const Options& options) { return Member<T>::get(access(options)); };
     result.set = [access](Options& options, const Value& value) { Member<T>::set(access(options), value); };
     return result;
@@ -109,6 +117,13 @@ Parameter path(std::string key, std::string sentence, Access access)
     Parameter result = parameter(std::move(key), "", {}, std::move(sentence), access);
     result.is_path = true;
     return result;
+}
+
+/// A list of any length whose numbers need not increase.
+inline Parameter in_any_order(Parameter parameter)
+{
+    parameter.any_order = true;
+    return parameter;
 }
 
 /// A key without a default.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/config/boundary_parameters.hpp"
 #include "corticle/config/parameter_builders.hpp"
 #include "corticle/config/tissue_parameters.hpp"
 
@@ -23,6 +24,9 @@ std::vector<Parameter> geometry_parameters()
                   CORTICLE_MEMBER(geometry.radius_mm)),
         parameter("geometry.semi_axes_mm", "mm", above(0.0, 1000.0), "Semi-axes of the ellipsoid.",
                   CORTICLE_MEMBER(geometry.semi_axes_mm)),
+        parameter("geometry.size_mm", "mm", above(0.0, 1000.0),
+                  "Lengths of the box along x, y and z; its cortex lies below its face of the highest z.",
+                  CORTICLE_MEMBER(geometry.size_mm)),
         path("geometry.file",
              "Closed triangulated surface (STL, OBJ, PLY, OFF, VTP, GIFTI, FreeSurfer), label volume (NIfTI) or tet "
              "mesh (Gmsh, VTU, Netgen, Medit); needed by shape = \"file\".",
@@ -267,8 +271,9 @@ std::vector<Parameter> other_parameters()
 std::vector<Parameter> all_parameters()
 {
     std::vector<Parameter> all;
-    for (auto part : {geometry_parameters, map_parameters, tissue_parameters, growth_parameters,
-                      imperfection_parameters, solver_parameters, thesis_parameters, other_parameters})
+    for (auto part :
+         {geometry_parameters, map_parameters, tissue_parameters, growth_parameters, imperfection_parameters,
+          solver_parameters, thesis_parameters, other_parameters, boundary_parameters, support_parameters})
     {
         std::ranges::move(part(), std::back_inserter(all));
     }

@@ -81,7 +81,7 @@ bool list_in_range(const Parameter& parameter, const std::vector<double>& list)
     const bool fixed = parameter.length > 0;
     return (fixed ? list.size() == parameter.length : list.size() <= longest_list) &&
            std::ranges::all_of(list, [&](double value) { return parameter.range.contains(value); }) &&
-           (fixed || parameter.kind == Kind::integers ||
+           (fixed || parameter.any_order || parameter.kind == Kind::integers ||
             std::ranges::adjacent_find(list, std::greater_equal<>{}) == list.end());
 }
 
@@ -126,6 +126,16 @@ std::string Range::text() const
     return fmt::format("{}{:.12g}, {:.12g}]", low_open ? '(' : '[', low, high);
 }
 
+std::string Parameter::heading() const
+{
+    return fmt::format(fmt::runtime(of_list ? "[[{}]]" : "[{}]"), section());
+}
+
+bool Parameter::repeats() const
+{
+    return of_list && !key.starts_with(section() + ".1.");
+}
+
 std::string Parameter::kind_text() const
 {
     switch (kind)
@@ -141,7 +151,9 @@ std::string Parameter::kind_text() const
     case Kind::choice:
         return fmt::format("\"{}\"", fmt::join(choices, "\" or \""));
     case Kind::list:
-        return length > 0 ? fmt::format("a list of {} numbers", length) : "a list of increasing numbers";
+        return length > 0  ? fmt::format("a list of {} numbers", length)
+               : any_order ? "a list of numbers"
+                           : "a list of increasing numbers";
     case Kind::integers:
         return "a list of integers";
     }

@@ -49,14 +49,23 @@ struct Parameter
     Range range;                      ///< of numbers, and of each number of a list
     std::vector<std::string> choices; ///< of Kind::choice
     std::size_t length = 0;           ///< of a list; 0: any length
+    bool any_order = false;           ///< of a list of any length: its numbers need not increase
     bool is_path = false;             ///< a text that names a file, relative to the case
     std::string sentence;
     std::string example;                      ///< a valid value as TOML, of a key without a default
     std::function<Value(const Options&)> get; ///< Unsupported where an optional is not given
     std::function<void(Options&, const Value&)> set;
 
+    bool of_list = false; ///< of an element of a list of tables: "support.2.kind" of the second [[support]]
+
     std::string section() const { return key.substr(0, key.find('.')); }
-    std::string name() const { return key.substr(key.find('.') + 1); }
+    /// What comes before the name: the section, and of a list of tables which of them.
+    std::string table() const { return of_list ? key.substr(0, key.rfind('.')) : section(); }
+    std::string name() const { return key.substr(table().size() + 1); }
+    /// How its table is written in a case.
+    std::string heading() const;
+    /// Whether it repeats the parameter of an earlier element of the list.
+    bool repeats() const;
     std::string kind_text() const;     ///< "number", "list of 3 numbers", ...
     std::string expected_text() const; ///< kind, range and unit
 };

@@ -59,20 +59,40 @@ std::string default_column(const Parameter& parameter)
     return text.empty() ? "none" : text;
 }
 
-/// Calls `section(name)` at the first parameter of each section, then `one(parameter)` for each.
-template <class Section, class One>
-void each_parameter(Section&& section, One&& one)
+/// Calls `table(heading)` at the first parameter of each table, then `one(parameter)` for each.
+template <class Table, class One>
+void each_parameter(Table&& table, One&& one)
 {
     std::string current;
     for (const Parameter& parameter : parameters())
     {
-        if (parameter.section() != current)
+        if (parameter.table() != current)
         {
-            current = parameter.section();
-            section(current);
+            current = parameter.table();
+            table(parameter.heading());
         }
         one(parameter);
     }
+}
+
+/// The same, of lists of tables their first element alone.
+template <class Table, class One>
+void each_kind_of_parameter(Table&& table, One&& one)
+{
+    std::string heading; // of a table that has no parameter yet
+    each_parameter([&](const std::string& text) { heading = text; },
+                   [&](const Parameter& parameter)
+                   {
+                       if (parameter.repeats())
+                       {
+                           return;
+                       }
+                       if (!heading.empty())
+                       {
+                           table(std::exchange(heading, ""));
+                       }
+                       one(parameter);
+                   });
 }
 
 /// Keys of [geometry] that only another shape uses.
@@ -81,6 +101,7 @@ bool is_of_other_shape(const Parameter& parameter, prepare::Shape shape)
     const std::string& key = parameter.key;
     return (key == "geometry.radius_mm" && shape != prepare::Shape::sphere) ||
            (key == "geometry.semi_axes_mm" && shape != prepare::Shape::ellipsoid) ||
+           (key == "geometry.size_mm" && shape != prepare::Shape::box) ||
            ((key == "geometry.file" || key == "geometry.unit") && shape != prepare::Shape::file);
 }
 
@@ -90,7 +111,7 @@ std::string to_toml(const Options& options)
 {
     std::string text = "# Corticle case, every key with its value.\n";
     std::string heading; // of a section that has no key yet
-    each_parameter([&](const std::string& section) { heading = fmt::format("\n[{}]\n", section); },
+    each_parameter([&](const std::string& table) { heading = "\n" + table + "\n"; },
                    [&](const Parameter& parameter)
                    {
                        const std::string value = toml_text(parameter.get(options));
@@ -111,20 +132,20 @@ std::string starter_case(prepare::Shape shape)
     options.geometry.file = shape == prepare::Shape::file ? "surface.stl" : "";
     std::string text = "# A starter case: every key with its default. Delete what you do not change.\n"
                        "# `corticle check` prints what a case comes to, `corticle run` runs it.\n";
-    each_parameter([&](const std::string& section) { text += fmt::format("\n[{}]\n", section); },
-                   [&](const Parameter& parameter)
-                   {
-                       const std::string value = toml_text(parameter.get(options));
-                       const std::string range = range_column(parameter, "\", \"");
-                       text += fmt::format("# {}{}{}\n", parameter.sentence,
-                                           parameter.unit.empty() ? "" : " Unit: " + parameter.unit + ".",
-                                           range.empty() ? "" : " Range: " + range + ".");
-                       const std::string elsewhere = default_text(parameter);
-                       const std::string& example = elsewhere.empty() ? parameter.example : elsewhere;
-                       text +=
-                           fmt::format("{}{} = {}\n", value.empty() || is_of_other_shape(parameter, shape) ? "# " : "",
-                                       parameter.name(), value.empty() ? example : value);
-                   });
+    each_kind_of_parameter(
+        [&](const std::string& table) { text += fmt::format("\n{}{}\n", table.starts_with("[[") ? "# " : "", table); },
+        [&](const Parameter& parameter)
+        {
+            const std::string value = toml_text(parameter.get(options));
+            const std::string range = range_column(parameter, "\", \"");
+            text += fmt::format("# {}{}{}\n", parameter.sentence,
+                                parameter.unit.empty() ? "" : " Unit: " + parameter.unit + ".",
+                                range.empty() ? "" : " Range: " + range + ".");
+            const std::string elsewhere = default_text(parameter);
+            const std::string& example = elsewhere.empty() ? parameter.example : elsewhere;
+            text += fmt::format("{}{} = {}\n", value.empty() || is_of_other_shape(parameter, shape) ? "# " : "",
+                                parameter.name(), value.empty() ? example : value);
+        });
     return text;
 }
 
@@ -138,8 +159,8 @@ std::string schema_text()
         default_width = std::max(default_width, default_column(parameter).size());
     }
     std::string text;
-    each_parameter(
-        [&](const std::string& section) { text += fmt::format("{}[{}]\n", text.empty() ? "" : "\n", section); },
+    each_kind_of_parameter(
+        [&](const std::string& table) { text += fmt::format("{}{}\n", text.empty() ? "" : "\n", table); },
         [&](const Parameter& parameter)
         {
             text += fmt::format("  {:<{}}  {:<15}  {:<{}}  {:<10}  {}\n", parameter.name(), key_width,
@@ -153,12 +174,12 @@ std::string schema_text()
 std::string schema_markdown()
 {
     std::string text;
-    each_parameter(
-        [&](const std::string& section)
+    each_kind_of_parameter(
+        [&](const std::string& table)
         {
-            text += fmt::format("{}## [{}]\n\n| key | type | unit | default | range | meaning |\n"
+            text += fmt::format("{}## {}\n\n| key | type | unit | default | range | meaning |\n"
                                 "|---|---|---|---|---|---|\n",
-                                text.empty() ? "" : "\n", section);
+                                text.empty() ? "" : "\n", table);
         },
         [&](const Parameter& parameter)
         {

@@ -159,6 +159,33 @@ bool is_group(const std::string& key)
     return std::ranges::any_of(parameters(), [&](const Parameter& p) { return p.key.starts_with(key + "."); });
 }
 
+/// As [[support]] is.
+bool is_list_of_tables(const TomlNode& node)
+{
+    return node.kind == TomlNode::Kind::list && !node.children.empty() && is_group(node.key + ".1") &&
+           std::ranges::all_of(node.children,
+                               [](const TomlNode& child) { return child.kind == TomlNode::Kind::table; });
+}
+
+/// The keys of the second [[support]] are support.2.kind and so on.
+void add_list_of_tables(TomlNode& node, const std::string& name, std::vector<TomlEntry>& entries)
+{
+    for (std::size_t k = 0; k < node.children.size(); ++k)
+    {
+        if (!is_group(fmt::format("{}.{}", node.key, k + 1)))
+        {
+            throw InputError(fmt::format("{}:{}: got {} tables [[{}]], expected at most {}", printable(name),
+                                         node.children[k].line, node.children.size(), node.key, k));
+        }
+        entries.push_back({node.key, node.key, true, node.children[k].line, Unsupported{"a table"}});
+        for (TomlNode& child : node.children[k].children)
+        {
+            entries.push_back({fmt::format("{}.{}.{}", node.key, k + 1, child.key), node.key, false, child.line,
+                               std::move(child.value)});
+        }
+    }
+}
+
 } // namespace
 
 std::vector<TomlEntry> parse_toml(std::string_view text, const std::string& name)
@@ -166,6 +193,11 @@ std::vector<TomlEntry> parse_toml(std::string_view text, const std::string& name
     std::vector<TomlEntry> entries;
     for (TomlNode& node : parse_toml_tree(text, name, "case").children)
     {
+        if (is_list_of_tables(node))
+        {
+            add_list_of_tables(node, name, entries);
+            continue;
+        }
         if (node.kind != TomlNode::Kind::table)
         {
             entries.push_back({node.key, "", false, node.line, std::move(node.value)});

@@ -11,4 +11,8 @@ namespace corticle::geometry
 /// b c / 3 to round-off.
 TriangleMesh make_ellipsoid(const std::array<double, 3>& semi_axes, double edge_length);
 
+/// A box about the origin [mm], triangulated with edges of about the given length, the diagonals of neighbouring
+/// squares crossing; deterministic.
+TriangleMesh make_box(const Vec3& size, double edge_length);
+
 } // namespace corticle::geometry

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "corticle/dynamics/integrator.hpp"
+#include "corticle/dynamics/step_plan.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -56,15 +57,17 @@ struct Contribution
     }
 };
 
-/// What a term took from the motion to keep a limit, such as that surfaces do not cross.
+/// What a term took from the motion to keep a limit, such as that surfaces do not cross, or gave to it.
 struct TravelTaken
 {
-    double energy = 0.0;           ///< kinetic [mu_w mm³]
+    double energy = 0.0;           ///< kinetic, dissipated [mu_w mm³]
+    double supplied = 0.0;         ///< kinetic, by what moves nodes from outside [mu_w mm³]
     std::int64_t vertex_steps = 0; ///< displacements it changed
 
     TravelTaken& operator+=(const TravelTaken& other)
     {
         energy += other.energy;
+        supplied += other.supplied;
         vertex_steps += other.vertex_steps;
         return *this;
     }
@@ -90,10 +93,14 @@ class ForceTerm
     /// What it stores at the positions last asked for, by kind.
     virtual std::vector<NamedEnergy> energies() const { return {}; }
 
-    /// Shortens the way of nodes in a step of length dt that is about to be tried, positions and velocities alike.
-    /// @param longest  way of a node in this step [mm]
-    virtual TravelTaken limit_travel(const dynamics::Motion& /*from*/, double /*dt*/, double /*longest*/,
-                                     dynamics::Motion& /*to*/)
+    /// Whether it takes the forces of all others, as supports do.
+    virtual bool comes_last() const { return false; }
+
+    /// Changes the way of nodes in a step that is about to be tried, positions and velocities alike. Terms are called
+    /// in the reverse order of their list: contact keeps surfaces apart after all else has moved them.
+    /// @param longest  way of a node in this step; a term that lengthens one raises it [mm]
+    virtual TravelTaken limit_travel(const dynamics::Motion& /*from*/, const dynamics::StepPlan& /*plan*/,
+                                     double& /*longest*/, dynamics::Motion& /*to*/)
     {
         return {};
     }

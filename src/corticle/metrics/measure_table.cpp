@@ -91,6 +91,29 @@ constexpr std::array equilibrium_table{
                       &EquilibriumMeasures::residual_force},
 };
 
+using BoundaryColumn = Column<BoundaryMeasures>;
+constexpr std::array boundary_table{
+    BoundaryColumn{"skull_force", "mu_w mm2", "contact between brain and skull: sum of the magnitudes of its forces",
+                   &BoundaryMeasures::skull_force},
+    BoundaryColumn{"skull_pressure", "mu_w", "skull_force over the area of the skull",
+                   &BoundaryMeasures::skull_pressure},
+    BoundaryColumn{"skull_contact_share", "-", "share of the brain's surface that touches the skull",
+                   &BoundaryMeasures::skull_contact_share},
+    BoundaryColumn{"skull_intersections", "-", "triangles of brain and skull that cross the other, by exact predicates",
+                   &BoundaryMeasures::skull_intersections},
+    BoundaryColumn{"skull_volume_mm3", "mm3", "volume that the skull encloses", &BoundaryMeasures::skull_volume_mm3},
+    BoundaryColumn{"energy_skull", "mu_w mm3", "of the skull's contact with the brain, its springs and its motion",
+                   &BoundaryMeasures::energy_skull},
+    BoundaryColumn{"fluid_pressure", "mu_w", "of the fluid on the surface of the brain",
+                   &BoundaryMeasures::fluid_pressure},
+    BoundaryColumn{"fluid_volume_mm3", "mm3", "volume between brain and skull; 0 without a fluid and a skull",
+                   &BoundaryMeasures::fluid_volume_mm3},
+    BoundaryColumn{"energy_fluid", "mu_w mm3", "potential of the fluid's pressure, outside and in the ventricles",
+                   &BoundaryMeasures::energy_fluid},
+    BoundaryColumn{"ventricle_volume_mm3", "mm3", "of the ventricles; 0 where no pressure acts in them",
+                   &BoundaryMeasures::ventricle_volume_mm3},
+};
+
 constexpr std::array size_table{
     SizeColumn{"area_mm2", "mm2", "area of the surface", &SurfaceMeasures::area_mm2},
     SizeColumn{"volume_mm3", "mm3", "volume it encloses", &SurfaceMeasures::volume_mm3},
@@ -144,6 +167,7 @@ struct Table
         columns.insert(columns.end(), equilibrium_table.begin(), equilibrium_table.end());
         columns.insert(columns.end(), size_table.begin(), size_table.end());
         columns.insert(columns.end(), fold_table.begin(), fold_table.end());
+        columns.insert(columns.end(), boundary_table.begin(), boundary_table.end());
     }
 };
 

@@ -133,6 +133,7 @@ Measures measure(const model::OutputView& view, const SurfaceArrays& arrays)
     m.fold_degree = waves.degree;
     set_volume_ratios(model, *view.F, m);
     set_energies(simulation, *view.F, m);
+    static_cast<BoundaryMeasures&>(m) = boundary_measures(view);
     m.overlap_area_share = overlap.area_share;
     m.max_penetration_mm = overlap.deepest_penetration;
     m.barrier_particles = static_cast<double>(simulation.internal().barrier_count);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "corticle/metrics/boundary_measures.hpp"
 #include "corticle/metrics/equilibrium.hpp"
 #include "corticle/metrics/surface_arrays.hpp"
 #include "corticle/metrics/surface_measures.hpp"
@@ -14,7 +15,7 @@ namespace corticle::metrics
 
 /// Measures of a run at one output time: a row of measures.csv. Lengths, areas and volumes are in mm at the week, but
 /// ratios, energies and fold_wavelength_reference_mm belong to the run's own coordinates.
-struct Measures : SurfaceMeasures, FoldMeasures, EquilibriumMeasures
+struct Measures : SurfaceMeasures, FoldMeasures, EquilibriumMeasures, BoundaryMeasures
 {
     double t = 0.0;
     double week = std::numeric_limits<double>::quiet_NaN(); ///< gestational age; NaN without a clock

@@ -5,11 +5,13 @@
 #include "corticle/material/clock.hpp"
 #include "corticle/material/options.hpp"
 #include "corticle/material/size.hpp"
+#include "corticle/mechanics/boundary/options.hpp"
 #include "corticle/mechanics/contact/options.hpp"
 #include "corticle/mechanics/thesis/options.hpp"
 #include "corticle/mechanics/tlsph/options.hpp"
 
 #include <optional>
+#include <vector>
 
 namespace corticle::model
 {
@@ -40,6 +42,8 @@ struct SimulationOptions
     tlsph::TlsphOptions tlsph;                                        ///< keys under [solver]
     thesis::ThesisOptions thesis;                                     ///< where formulation = "thesis"
     contact::ContactOptions contact;                                  ///< keys under [contact]
+    std::vector<boundary::SupportOptions> supports;                   ///< keys under [[support]]
+    boundary::BoundaryOptions boundary;                               ///< keys under [boundary]
     dynamics::DynamicsOptions dynamics;                               ///< keys under [solver]
     TimeOptions time;
     material::SizeOptions size;

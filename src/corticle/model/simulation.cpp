@@ -102,14 +102,15 @@ Simulation::Simulation(std::shared_ptr<const Model> model, const SimulationOptio
 
 void Simulation::add_term(std::unique_ptr<mechanics::ForceTerm> term)
 {
-    terms_.push_back(std::move(term));
+    const auto before = std::ranges::find_if(terms_, [](const auto& other) { return other->comes_last(); });
+    const auto place = terms_.insert(before, std::move(term)) - terms_.begin();
     try
     {
         start();
     }
     catch (...)
     {
-        terms_.pop_back();
+        terms_.erase(terms_.begin() + place);
         stable_steps_.resize(terms_.size());
         throw;
     }
@@ -212,8 +213,9 @@ std::optional<dynamics::StepEnergies> Simulation::advance(const dynamics::StepPl
     {
         dynamics::StepEnergies energies = dynamics::advance(state_->motion, mass_, plan.dt, around, trial_);
         trial_travel_ = limit_travel(plan, energies.longest);
-        energies.kinetic -= trial_travel_.energy;
-        energies.relative -= trial_travel_.energy;
+        const double change = trial_travel_.supplied - trial_travel_.energy;
+        energies.kinetic += change;
+        energies.relative += change;
         return energies;
     }
     return runge_kutta_.advance(
@@ -226,10 +228,10 @@ std::optional<dynamics::StepEnergies> Simulation::advance(const dynamics::StepPl
 mechanics::TravelTaken Simulation::limit_travel(const dynamics::StepPlan& plan, double longest)
 {
     mechanics::TravelTaken taken;
-    for (std::size_t k = 0; k < terms_.size(); ++k)
+    for (std::size_t k = terms_.size(); k-- > 0;)
     {
         const Stopwatch watch(seconds_[k]);
-        taken += terms_[k]->limit_travel(state_->motion, plan.dt, longest, trial_);
+        taken += terms_[k]->limit_travel(state_->motion, plan, longest, trial_);
     }
     return taken;
 }
@@ -277,7 +279,7 @@ void Simulation::commit(const dynamics::StepPlan& plan, const dynamics::StepEner
     std::swap(state_->motion, trial_);
     const double growth_step = plan.t - plan.t_before;
     state_->energy_balance.growth_work +=
-        energies.carried + 0.5 * (now_.growth_power + trial_sum_.growth_power) * growth_step;
+        energies.carried + trial_travel_.supplied + 0.5 * (now_.growth_power + trial_sum_.growth_power) * growth_step;
     state_->energy_balance.dissipated +=
         energies.damped + trial_travel_.energy + 0.5 * (now_.viscous_power + trial_sum_.viscous_power) * plan.dt;
     now_ = trial_sum_;

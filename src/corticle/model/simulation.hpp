@@ -53,6 +53,10 @@ class Simulation
     {
         return contact_ != nullptr ? contact_->response() : contact::ContactResponse{};
     }
+    contact::WallContact wall_contact() const
+    {
+        return contact_ != nullptr ? contact_->wall_contact() : contact::WallContact{};
+    }
     /// Wall time that a term has taken since the simulation was made [s]; 0 where there is no term of this name.
     double seconds_of(std::string_view term) const;
     /// Kinetic energy of the motion against the mean growth of the body, where growth by week tells that; else all of

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/model/terms.hpp"
 
+#include "corticle/mechanics/boundary/fluid_term.hpp"
+#include "corticle/mechanics/boundary/skull_term.hpp"
+#include "corticle/mechanics/boundary/support_term.hpp"
 #include "corticle/mechanics/contact/contact_term.hpp"
 #include "corticle/mechanics/fem/solver.hpp"
 #include "corticle/mechanics/thesis/printed_solver.hpp"
@@ -25,14 +28,50 @@ std::unique_ptr<mechanics::Discretization> make_discretization(const Model& mode
     return std::make_unique<tlsph::TlsphSolver>(model.particles, tissue);
 }
 
+namespace
+{
+
+/// The skull that the options ask for; its vertices weigh what those of the brain's surface do.
+std::shared_ptr<boundary::Skull> make_skull(const Model& model, const SimulationOptions& options)
+{
+    if (options.boundary.shape == boundary::SkullShape::none)
+    {
+        return nullptr;
+    }
+    double mass = 0.0;
+    for (const std::int32_t particle : model.cloud.surface_particles)
+    {
+        mass += model.cloud.volumes[static_cast<std::size_t>(particle)];
+    }
+    mass /= static_cast<double>(model.cloud.surface_particles.size());
+    return std::make_shared<boundary::Skull>(model.skull, options.boundary, mass, options.time.start);
+}
+
+} // namespace
+
 std::vector<std::unique_ptr<mechanics::ForceTerm>> make_terms(const Model& model, const SimulationOptions& options)
 {
     std::vector<std::unique_ptr<mechanics::ForceTerm>> terms;
+    const std::shared_ptr<boundary::Skull> skull = make_skull(model, options);
+    if (skull)
+    {
+        terms.push_back(std::make_unique<boundary::SkullTerm>(skull));
+    }
+    if (options.boundary.fluid != boundary::Fluid::none || options.boundary.ventricle_pressure != 0.0)
+    {
+        terms.push_back(std::make_unique<boundary::FluidTerm>(model.cloud, model.surface, model.cloud.volumes,
+                                                              model.ventricles, skull, options.boundary,
+                                                              options.time.start));
+    }
     if (options.contact.enabled)
     {
         terms.push_back(std::make_unique<contact::ContactTerm>(
             model.cloud, model.surface, model.cloud.volumes, material::wave_speed(options.tissue) / model.cloud.spacing,
-            options.contact, options.dynamics.time_step > 0.0));
+            options.contact, options.dynamics.time_step > 0.0, skull));
+    }
+    if (!options.supports.empty())
+    {
+        terms.push_back(std::make_unique<boundary::SupportTerm>(model.cloud, model.cloud.volumes, options.supports));
     }
     return terms;
 }

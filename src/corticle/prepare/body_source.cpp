@@ -5,6 +5,7 @@
 #include "corticle/formats/tets/tet_reader.hpp"
 #include "corticle/formats/volumes/nifti.hpp"
 #include "corticle/geometry/repair.hpp"
+#include "corticle/geometry/shapes.hpp"
 #include "corticle/geometry/validate_tets.hpp"
 #include "corticle/prepare/label_surface.hpp"
 
@@ -103,6 +104,13 @@ std::array<double, 3> semi_axes(const GeometryOptions& options)
                                           : options.semi_axes_mm;
 }
 
+TriangleMesh shape_surface(const GeometryOptions& options, double edge_length)
+{
+    const auto& [x, y, z] = options.size_mm;
+    return options.shape == Shape::box ? geometry::make_box({x, y, z}, edge_length)
+                                       : geometry::make_ellipsoid(semi_axes(options), edge_length);
+}
+
 bool can_coarsen(const GeometryOptions& options)
 {
     return options.shape == Shape::file && formats::is_nifti(options.file) &&
@@ -114,6 +122,14 @@ BodySource read_body_source(const GeometryOptions& options, int coarsening)
     BodySource source;
     if (options.shape != Shape::file)
     {
+        if (options.shape == Shape::box)
+        {
+            const auto [x, y, z] = options.size_mm;
+            source.kind = name_of(options.shape);
+            source.volume = x * y * z;
+            source.area = 2.0 * (x * y + y * z + x * z);
+            return source;
+        }
         const auto axes = semi_axes(options);
         source.kind = name_of(options.shape);
         source.volume = 4.0 / 3.0 * std::numbers::pi * axes[0] * axes[1] * axes[2];

@@ -42,5 +42,7 @@ bool can_coarsen(const GeometryOptions& options);
 
 /// Semi-axes of a sphere or an ellipsoid [mm].
 std::array<double, 3> semi_axes(const GeometryOptions& options);
+/// The surface of a built-in shape, with edges of about the given length.
+TriangleMesh shape_surface(const GeometryOptions& options, double edge_length);
 
 } // namespace corticle::prepare

@@ -27,6 +27,7 @@ enum class Shape
 {
     sphere,
     ellipsoid,
+    box, ///< a strip of cortex: its face of the highest z is the surface of the brain
     file
 };
 
@@ -55,7 +56,7 @@ enum class NormalRule
 };
 
 /// Names in a case.
-constexpr std::array shape_names{"sphere", "ellipsoid", "file"};
+constexpr std::array shape_names{"sphere", "ellipsoid", "box", "file"};
 constexpr std::array arrangement_names{"body_fitted", "mesh_nodes", "tet_nodes", "thinned", "thinned_at_random"};
 constexpr const char* name_of(Shape shape)
 {
@@ -72,6 +73,7 @@ struct GeometryOptions
     Shape shape = Shape::sphere;
     double radius_mm = 12.496;                              ///< sphere
     std::array<double, 3> semi_axes_mm{15.0, 12.0, 10.0};   ///< ellipsoid
+    std::array<double, 3> size_mm{40.0, 4.0, 15.0};         ///< box: lengths along x, y and z
     std::string file;                                       ///< closed triangulated surface, label volume or tet mesh
     formats::UnitOfLength unit = formats::UnitOfLength::mm; ///< of a surface or tet mesh
     formats::Coordinates coordinates = formats::Coordinates::scanner; ///< of a surface or label volume with metadata

@@ -5,16 +5,18 @@
 #include "corticle/base/parallel.hpp"
 #include "corticle/cloud/fill.hpp"
 #include "corticle/cloud/from_tets.hpp"
-#include "corticle/geometry/shapes.hpp"
 #include "corticle/geometry/tetrahedralize.hpp"
 #include "corticle/material/imperfection.hpp"
+#include "corticle/mechanics/boundary/support_term.hpp"
 #include "corticle/prepare/body_checks.hpp"
 #include "corticle/prepare/body_maps.hpp"
 #include "corticle/prepare/body_source.hpp"
 #include "corticle/prepare/body_thickness.hpp"
 #include "corticle/prepare/labelled_tissue.hpp"
+#include "corticle/prepare/skull_surface.hpp"
 #include "corticle/prepare/thesis/ellipsoid.hpp"
 #include "corticle/prepare/thesis_choices.hpp"
+#include "corticle/prepare/ventricle_surface.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -28,11 +30,19 @@ namespace corticle::prepare
 namespace
 {
 
-/// Depth and normal of every place from the closest point of the surface.
-void set_depth(const geometry::SurfaceTree& tree, std::span<const Vec3> places, material::TissueFields& tissue)
+/// Depth and normal of every place from the closest point of the surface, in a box from its face of the highest z.
+void set_depth(const GeometryOptions& geometry, const geometry::SurfaceTree& tree, std::span<const Vec3> places,
+               material::TissueFields& tissue)
 {
     tissue.depth.resize(places.size());
     tissue.normal.resize(places.size());
+    if (geometry.shape == Shape::box)
+    {
+        std::ranges::transform(places, tissue.depth.begin(),
+                               [&](const Vec3& X) { return std::max(0.0, 0.5 * geometry.size_mm[2] - X.z); });
+        std::ranges::fill(tissue.normal, Vec3{0.0, 0.0, 1.0});
+        return;
+    }
     parallel_for(std::ssize(places),
                  [&](std::int64_t i)
                  {
@@ -83,8 +93,7 @@ TriangleMesh rough_surface(const PreparationOptions& options, const BodySource& 
     constexpr double edges = 40.0; // about so many along a great circle
     return options.geometry.shape == Shape::file
                ? source.surface
-               : geometry::make_ellipsoid(semi_axes(options.geometry),
-                                          2.0 * std::numbers::pi * std::cbrt(source.volume / 4.2) / edges);
+               : shape_surface(options.geometry, 2.0 * std::numbers::pi * std::cbrt(source.volume / 4.2) / edges);
 }
 
 struct GradedResolution
@@ -142,7 +151,7 @@ void set_cloud(const PreparationOptions& options, BodySource& source, Preparatio
     {
         model.surface = geometry.shape == Shape::file
                             ? remeshed_surface(options.geometry, cloud::edge_per_spacing * spacing, source, made.report)
-                            : geometry::make_ellipsoid(semi_axes(geometry), cloud::edge_per_spacing * spacing);
+                            : shape_surface(geometry, cloud::edge_per_spacing * spacing);
         if (options.method == model::Method::tlsph && geometry.arrangement == Arrangement::body_fitted)
         {
             model.cloud =
@@ -316,7 +325,7 @@ Preparation arrange_body(const PreparationOptions& options)
     made.report.input_vertices = std::ssize(source.surface.vertices);
     apply_thesis_volumes(options, model.cloud);
     const geometry::SurfaceTree tree(model.surface.vertices, model.surface.triangles);
-    set_depth(tree, material_places(model), model.tissue);
+    set_depth(options.geometry, tree, material_places(model), model.tissue);
     apply_thesis_normals(options, model);
     BodyMaps maps = set_maps(options.map, source.map_surface, material_places(model), model.tissue);
     std::ranges::move(maps.notes, std::back_inserter(made.report.notes));
@@ -325,7 +334,7 @@ Preparation arrange_body(const PreparationOptions& options)
     if (model.fem)
     {
         places = fem::centroids(model.cloud.positions, model.fem->elements.tets);
-        set_depth(tree, places, model.fem->tissue);
+        set_depth(options.geometry, tree, places, model.fem->tissue);
         set_maps(options.map, source.map_surface, places, model.fem->tissue);
     }
     if (has_labelled_cortex(options))
@@ -364,6 +373,9 @@ void connect_body(const PreparationOptions& options, Preparation& made)
         made.report.inputs.tissues = report_tissues(model);
         made.report.notes.push_back(describe(*made.report.inputs.tissues));
     }
+    model.skull = skull_surface(options, model);
+    model.ventricles = ventricle_surface(options, model);
+    boundary::held_degrees(model.cloud, options.supports); // refuses supports that hold nothing, or disagree
     if (const std::string warning = size_warning(options, model); !warning.empty())
     {
         made.report.warnings.push_back(warning);

@@ -6,6 +6,7 @@
 #include "corticle/config/case_file.hpp"
 #include "corticle/formats/atomic_file.hpp"
 #include "corticle/formats/vtk_files.hpp"
+#include "corticle/record/support_table.hpp"
 
 #include <fmt/format.h>
 
@@ -25,6 +26,10 @@ constexpr double same_time = 1e-9;
 std::vector<std::string> planned_files(const config::Options& options)
 {
     std::vector<std::string> files = run_files();
+    if (!options.supports.empty())
+    {
+        files.emplace_back(support_table_name);
+    }
     if (options.output.pictures == config::PictureRule::on)
     {
         files.emplace_back(measures_picture);

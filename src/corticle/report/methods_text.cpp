@@ -70,6 +70,10 @@ std::string geometry_text(const Options& options, const Json& summary)
         body = fmt::format("an ellipsoid with semi-axes of {:.4g}, {:.4g} and {:.4g} mm", geometry.semi_axes_mm[0],
                            geometry.semi_axes_mm[1], geometry.semi_axes_mm[2]);
         break;
+    case prepare::Shape::box:
+        body = fmt::format("a box of {:.4g} by {:.4g} by {:.4g} mm with cortex below its highest face",
+                           geometry.size_mm[0], geometry.size_mm[1], geometry.size_mm[2]);
+        break;
     case prepare::Shape::file:
         body = fmt::format("the body in {}", name_of(geometry.file));
         break;

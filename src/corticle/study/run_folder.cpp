@@ -13,6 +13,7 @@
 #include "corticle/record/recorder.hpp"
 #include "corticle/record/result_folder.hpp"
 #include "corticle/record/run_files.hpp"
+#include "corticle/record/support_table.hpp"
 #include "corticle/study/interruption.hpp"
 #include "corticle/view/picture_observer.hpp"
 #include "corticle/view/pictures.hpp"
@@ -108,6 +109,11 @@ void open_folder(record::ResultFolder& folder, const record::RunRequest& request
         folder.remove_written();
     }
     folder.claim(record::run_files());
+    if (!request.options.supports.empty())
+    {
+        const std::vector<std::string> table{record::support_table_name};
+        folder.claim(table);
+    }
     formats::write_text_atomically(folder.path() / "case.toml", case_text);
 }
 
@@ -205,6 +211,7 @@ struct Observers
               record::Recorder::Clock::time_point began)
         : measuring(start.restored ? start.restored->rows : std::vector<metrics::Measures>{}),
           recorder(request, start.made.report, folder, versions, log, began, measuring),
+          supports(request.out, start.restored ? start.restored->state.t : -1.0),
           pictures(folder, record::picture_flags(request.options, record::output_times(request.options)), measuring,
                    recorder),
           checkpointer(request.out, config::to_toml(request.options), versions,
@@ -216,7 +223,7 @@ struct Observers
     model::RunStatus watch(model::Simulation& simulation, const record::RunRequest& request, const RunHost& host)
     {
         record::Progress progress(simulation, request.options.time.end, request.quiet);
-        std::vector<model::Observer*> all{&progress, &measuring, &recorder};
+        std::vector<model::Observer*> all{&progress, &measuring, &recorder, &supports};
         if (draws)
         {
             all.push_back(&pictures);
@@ -229,6 +236,7 @@ struct Observers
 
     metrics::Measuring measuring;
     record::Recorder recorder;
+    record::SupportTable supports;
     view::PictureObserver pictures;
     record::Checkpointer checkpointer;
     bool draws;

@@ -160,9 +160,14 @@ CORTICLE_EVERY_ISA void locate_pairs(const Vec3* x, const Edge* edges, std::span
     locate_groups(x, edges, pairs, points);
 }
 
+/// Appends the parts of the wall, or all others, in the order of a curve through their middles.
 template <class Part>
-std::vector<Part> in_order(std::span<const Part> parts, std::span<const Vec3> x)
+void append_in_order(std::span<const Part> all, std::span<const Vec3> x, std::int32_t wall, bool of_wall,
+                     std::vector<Part>& ordered)
 {
+    std::vector<Part> parts;
+    std::ranges::copy_if(all, std::back_inserter(parts),
+                         [&](const Part& part) { return (part[0] >= wall) == of_wall; });
     std::vector<Vec3> middles;
     middles.reserve(parts.size());
     for (const Part& part : parts)
@@ -174,13 +179,33 @@ std::vector<Part> in_order(std::span<const Part> parts, std::span<const Vec3> x)
         }
         middles.push_back(sum / static_cast<double>(part.size()));
     }
-    std::vector<Part> ordered;
-    ordered.reserve(parts.size());
     for (const std::int32_t k : hilbert_order(middles))
     {
         ordered.push_back(parts[static_cast<std::size_t>(k)]);
     }
+}
+
+template <class Part>
+std::vector<Part> in_order(std::span<const Part> parts, std::span<const Vec3> x, std::int32_t wall)
+{
+    std::vector<Part> ordered;
+    ordered.reserve(parts.size());
+    append_in_order(parts, x, wall, false, ordered);
+    if (wall != no_wall)
+    {
+        append_in_order(parts, x, wall, true, ordered);
+    }
     return ordered;
+}
+
+std::vector<std::array<std::int32_t, 1>> every_vertex(std::size_t count)
+{
+    std::vector<std::array<std::int32_t, 1>> vertices;
+    for (std::int32_t k = 0; k < static_cast<std::int32_t>(count); ++k)
+    {
+        vertices.push_back({k});
+    }
+    return vertices;
 }
 
 } // namespace
@@ -203,13 +228,12 @@ std::vector<Edge> unique_edges(std::span<const Triangle> triangles)
     return edges;
 }
 
-SurfaceParts::SurfaceParts(std::span<const Triangle> triangles, std::span<const Vec3> rest)
-    : triangles_(in_order(triangles, rest)), edges_(in_order(std::span<const Edge>(unique_edges(triangles)), rest))
+SurfaceParts::SurfaceParts(std::span<const Triangle> triangles, std::span<const Vec3> rest, std::int32_t wall)
+    : wall_(wall),
+      vertices_(in_order(std::span<const std::array<std::int32_t, 1>>(every_vertex(rest.size())), rest, wall)),
+      triangles_(in_order(triangles, rest, wall)),
+      edges_(in_order(std::span<const Edge>(unique_edges(triangles)), rest, wall))
 {
-    for (const std::int32_t vertex : hilbert_order(rest))
-    {
-        vertices_.push_back({vertex});
-    }
 }
 
 void SurfaceParts::measure(std::span<const Vec3> x, std::span<VertexTriangle> pairs) const
@@ -271,7 +295,8 @@ void SurfaceParts::find_candidates(std::span<const Vec3> x, double range, std::s
         [&](const VertexTriangle& pair)
         {
             const Triangle& corner = triangles_[static_cast<std::size_t>(pair.triangle)];
-            return (pair.vertex != corner[0]) & (pair.vertex != corner[1]) & (pair.vertex != corner[2]);
+            return (pair.vertex != corner[0]) & (pair.vertex != corner[1]) & (pair.vertex != corner[2]) &
+                   ((pair.vertex < wall_) | (corner[0] < wall_));
         },
         measured);
     find_pairs(
@@ -283,7 +308,8 @@ void SurfaceParts::find_candidates(std::span<const Vec3> x, double range, std::s
         {
             const Edge& a = edges_[static_cast<std::size_t>(pair.first)];
             const Edge& b = edges_[static_cast<std::size_t>(pair.second)];
-            return (a[0] != b[0]) & (a[0] != b[1]) & (a[1] != b[0]) & (a[1] != b[1]);
+            return (a[0] != b[0]) & (a[0] != b[1]) & (a[1] != b[0]) & (a[1] != b[1]) &
+                   ((a[0] < wall_) | (b[0] < wall_));
         },
         measured);
 }

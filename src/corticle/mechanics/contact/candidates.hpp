@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -54,6 +55,9 @@ struct ClosestPoints
     std::array<double, 4> weight; ///< of the four vertices: positive in the first part, negative in the second
 };
 
+/// No vertex is one of a wall, see SurfaceParts.
+inline constexpr std::int32_t no_wall = std::numeric_limits<std::int32_t>::max();
+
 /// All pairs of a surface that lie within a distance of each other. Two pairs stand in the same order in all lists that
 /// hold both.
 struct Candidates
@@ -68,7 +72,9 @@ class SurfaceParts
 {
   public:
     /// @param rest  positions of the vertices that the numbers are given by [mm]
-    SurfaceParts(std::span<const Triangle> triangles, std::span<const Vec3> rest);
+    /// @param wall  first vertex of a wall around the surface, a closed surface of its own behind all others: pairs
+    ///              within it count for nothing. Its parts are numbered after all others, so these keep their numbers.
+    SurfaceParts(std::span<const Triangle> triangles, std::span<const Vec3> rest, std::int32_t wall = no_wall);
 
     std::span<const Triangle> triangles() const { return triangles_; }
     std::span<const Edge> edges() const { return edges_; }
@@ -106,6 +112,7 @@ class SurfaceParts
     static void enclose(std::span<const Part> parts, std::span<const Vec3> x, double range,
                         std::span<const double> reach, Searched& searched);
 
+    std::int32_t wall_;
     std::vector<std::array<std::int32_t, 1>> vertices_; ///< every vertex once
     std::vector<Triangle> triangles_;
     std::vector<Edge> edges_;

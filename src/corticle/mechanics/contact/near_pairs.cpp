@@ -29,9 +29,10 @@ float rounded_down(double a)
 
 } // namespace
 
-NearPairs::NearPairs(std::span<const Triangle> triangles, std::span<const Vec3> rest, double range, double spacing)
-    : parts_(triangles, rest), range_(range), spacing_(spacing), x_(rest.begin(), rest.end()), reach_(rest.size()),
-      step_(rest.size()), vertex_path_(rest.size()), triangle_path_(parts_.triangles().size()),
+NearPairs::NearPairs(std::span<const Triangle> triangles, std::span<const Vec3> rest, double range, double spacing,
+                     std::int32_t wall)
+    : parts_(triangles, rest, wall), range_(range), spacing_(spacing), x_(rest.begin(), rest.end()),
+      reach_(rest.size()), step_(rest.size()), vertex_path_(rest.size()), triangle_path_(parts_.triangles().size()),
       edge_path_(parts_.edges().size())
 {
     find_candidates();

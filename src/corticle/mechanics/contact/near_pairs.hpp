@@ -20,7 +20,9 @@ class NearPairs
 
     /// @param rest     reference positions of the surface vertices [mm]
     /// @param range    [mm]   @param spacing  particle spacing [mm]
-    NearPairs(std::span<const Triangle> triangles, std::span<const Vec3> rest, double range, double spacing);
+    /// @param wall     see SurfaceParts
+    NearPairs(std::span<const Triangle> triangles, std::span<const Vec3> rest, double range, double spacing,
+              std::int32_t wall = no_wall);
 
     /// Finds the near pairs at positions x of a body, in which the vertices have these places.
     void update(std::span<const Vec3> x, std::span<const std::int32_t> places);

@@ -3,6 +3,7 @@
 
 #include "corticle/base/parallel.hpp"
 #include "corticle/base/simd.hpp"
+#include "corticle/mechanics/contact/owner_blocks.hpp"
 #include "corticle/mesh/sizes.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +21,6 @@ namespace corticle::contact
 namespace
 {
 
-constexpr std::int64_t owners_at_a_time = 256;
 constexpr std::int64_t word_bits = 64;
 
 /// Those who repel the other part if the pair is their closest: the vertex of a triangle, or both edges.
@@ -52,6 +52,18 @@ std::vector<std::int32_t> as_numbered(std::size_t count)
     return places;
 }
 
+/// The masses of the vertices, those of a wall replaced by the mean of the others.
+std::vector<double> masses_of_barriers(std::vector<double> masses, std::int32_t wall)
+{
+    if (wall != no_wall)
+    {
+        const auto others = std::span(masses).first(static_cast<std::size_t>(wall));
+        const double mean = std::accumulate(others.begin(), others.end(), 0.0) / static_cast<double>(wall);
+        std::fill(masses.begin() + wall, masses.end(), mean);
+    }
+    return masses;
+}
+
 std::span<const Triangle> checked(std::span<const Triangle> triangles, std::span<const Vec3> vertices)
 {
     require_triangles(vertices, triangles);
@@ -62,8 +74,9 @@ std::span<const Triangle> checked(std::span<const Triangle> triangles, std::span
 
 SurfaceContact::SurfaceContact(std::span<const Triangle> triangles, std::span<const Vec3> rest,
                                std::vector<double> masses, double spacing, double frequency,
-                               const ContactOptions& options, std::vector<std::int32_t> places)
-    : near_(checked(triangles, rest), rest, options.distance * spacing, spacing), masses_(std::move(masses)),
+                               const ContactOptions& options, std::vector<std::int32_t> places, std::int32_t wall)
+    : wall_(wall), near_(checked(triangles, rest), rest, options.distance * spacing, spacing, wall),
+      masses_(std::move(masses)),
       places_(places.empty() ? as_numbered(rest.size()) : std::move(places)), loads_{std::vector<Vec3>(rest.size()),
                                                                                      std::vector<Vec3>(rest.size())},
       rate_of_vertex_(rest.size())
@@ -74,20 +87,21 @@ SurfaceContact::SurfaceContact(std::span<const Triangle> triangles, std::span<co
     const auto barrier = [&](double mass) {
         return Barrier{range, options.stiffness * mass * frequency * frequency * range};
     };
-    for (const double mass : masses_)
+    const std::vector<double> barrier_masses = masses_of_barriers(masses_, wall);
+    for (const double mass : barrier_masses)
     {
         vertices_.barrier.push_back(barrier(mass));
     }
     for (const auto& [a, b] : near_.parts().edges())
     {
-        edges_.barrier.push_back(barrier(0.5 * (masses_[a] + masses_[b])));
+        edges_.barrier.push_back(barrier(0.5 * (barrier_masses[a] + barrier_masses[b])));
     }
     make_room(vertices_);
     make_room(edges_);
     set_gaps(near_.vertex_triangle(), vertices_);
     set_gaps(near_.edge_edge(), edges_);
     travel_limit_.emplace(masses_, least_separations(vertices_.barrier, range),
-                          least_separations(edges_.barrier, range));
+                          least_separations(edges_.barrier, range), wall);
 }
 
 template <class Pair>

@@ -22,6 +22,14 @@ struct ContactResponse
     double largest_rate = 0.0;
 };
 
+/// Contact of a surface with the wall around it.
+struct WallContact
+{
+    double force = 0.0;                  ///< sum of the magnitudes of all pushes between them [mu_w mm²]
+    double energy = 0.0;                 ///< [mu_w mm³]
+    std::vector<std::uint8_t> is_pushed; ///< whether each vertex of the surface is; empty without a wall
+};
+
 /// Self-contact of a closed surface: vertex against triangle and edge against edge, on current positions.
 ///
 /// Every vertex repels the triangle closest to it, and every edge the edge closest to it, where the distance is below
@@ -38,15 +46,19 @@ class SurfaceContact
     /// @param frequency wave speed over spacing: a spring of stiffness m · frequency² is about as stiff as the tissue
     ///                  [1 / time]
     /// @param places    of the vertices in the positions and forces of a body; as they are numbered where it is empty
+    /// @param wall      see SurfaceParts; the barriers of its parts are those of a vertex of the mean mass of the
+    /// others
     SurfaceContact(std::span<const Triangle> triangles, std::span<const Vec3> rest, std::vector<double> masses,
                    double spacing, double frequency, const ContactOptions& options,
-                   std::vector<std::int32_t> places = {});
+                   std::vector<std::int32_t> places = {}, std::int32_t wall = no_wall);
 
     /// Adds the contact forces at positions x to `forces`, both of the body.
     ContactResponse evaluate(std::span<const Vec3> x, std::span<Vec3> forces);
 
     /// Sum of the barriers at the positions last evaluated: a potential [mu_w mm³].
     double energy() const;
+    /// Of that evaluation, what is between the surface and its wall.
+    WallContact wall_contact() const;
 
     /// Whether no two parts come closer than is safe in a step of the body from the positions last evaluated.
     bool stays_apart(const Travel& travel)
@@ -106,7 +118,10 @@ class SurfaceContact
     template <class Pair>
     auto bounding(const Owners<Pair>& owners, std::span<double> largest) const;
     double largest_rate() const;
+    template <class Pair>
+    void add_wall_contact(const Owners<Pair>& owners, WallContact& sum) const;
 
+    std::int32_t wall_;
     NearPairs near_;
     std::vector<double> masses_;
     std::vector<std::int32_t> places_;

@@ -73,10 +73,12 @@ double required_separation(double now, double least)
 
 } // namespace
 
-TravelLimit::TravelLimit(std::vector<double> masses, std::vector<double> vertex_least, std::vector<double> edge_least)
+TravelLimit::TravelLimit(std::vector<double> masses, std::vector<double> vertex_least, std::vector<double> edge_least,
+                         std::int32_t wall)
     : masses_(std::move(masses)), vertex_least_(std::move(vertex_least)), edge_least_(std::move(edge_least)),
       largest_least_(std::max(*std::ranges::max_element(vertex_least_), *std::ranges::max_element(edge_least_))),
-      parent_(masses_.size()), of_group_(masses_.size())
+      wall_(std::min(masses_.size(), static_cast<std::size_t>(wall))), parent_(masses_.size()),
+      of_group_(masses_.size())
 {
     std::iota(parent_.begin(), parent_.end(), 0);
 }
@@ -128,7 +130,7 @@ std::span<const std::int32_t> TravelLimit::apply(const NearPairs& near, std::spa
 /// No displacement differs from their mean by more than `farthest`.
 void TravelLimit::stay_with_the_mean(std::span<Vec3> displacements, double farthest)
 {
-    mean_ = mean_of(displacements);
+    mean_ = mean_of(displacements.first(wall_));
     longest_way_ = 0.0;
     for (std::size_t k = 0; k < displacements.size(); ++k)
     {

@@ -36,7 +36,9 @@ class TravelLimit
     /// @param masses        of the vertices
     /// @param vertex_least  least separation of each vertex from triangles [mm]
     /// @param edge_least    of each edge from others; a pair of edges has the larger of its two [mm]
-    TravelLimit(std::vector<double> masses, std::vector<double> vertex_least, std::vector<double> edge_least);
+    /// @param wall          see SurfaceParts; the mean motion is that of all other vertices
+    TravelLimit(std::vector<double> masses, std::vector<double> vertex_least, std::vector<double> edge_least,
+                std::int32_t wall = no_wall);
 
     /// Whether no pair comes too close.
     /// @param places          of the vertices in the body
@@ -76,6 +78,7 @@ class TravelLimit
     std::vector<double> vertex_least_;
     std::vector<double> edge_least_;
     double largest_least_; ///< of both [mm]
+    std::size_t wall_;     ///< first vertex of the wall
 
     Vec3 mean_;                                      ///< displacement; zero where it need not be known [mm]
     double longest_way_ = 0.0;                       ///< of a vertex beside the mean [mm]
