@@ -102,7 +102,12 @@ void add_sweep(CLI::App& app, Verb& chosen)
     verb->add_option("--threads-per-run", request->threads_per_run, "Threads of each run (default: to fill the cores)")
         ->type_name("N")
         ->check(CLI::Range(1, 1024));
+    add_choice(*verb, "--engine", request->engine,
+               "local: make the runs here; commands: print the command of each; slurm: submit them as an array job, "
+               "by [engine] of the sweep")
+        ->type_name("ENGINE");
     verb->add_flag("--retry", request->retry, "Go on with runs that failed");
+    verb->add_flag("--gather", request->gather, "Make no runs; write tables and pictures of those that are there");
     verb->add_flag("--cases-only", request->cases_only, "Write the case of each run to DIR/cases and make none");
     verb->add_flag("--list", request->list, "Print the runs and how they stand; write nothing");
     verb->add_flag("--quiet", request->quiet, "Print nothing but errors");

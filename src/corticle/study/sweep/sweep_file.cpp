@@ -251,6 +251,10 @@ void SweepReader::read(const config::TomlNode& node)
     {
         sweep_.compare_t = read_times(node, place_);
     }
+    else if (node.key == "engine")
+    {
+        sweep_.engine = read_engine(node, place_);
+    }
     else if (node.key == "line")
     {
         for (const config::TomlNode& child : tables_of(node, place_))
@@ -262,7 +266,7 @@ void SweepReader::read(const config::TomlNode& node)
     {
         throw InputError(
             fmt::format("unknown key {} ({}); expected base, title, set, axis, reference, measures, plots, "
-                        "pictures, compare_t or line",
+                        "pictures, compare_t, line or engine",
                         config::printable(node.key), place_.at(node)));
     }
 }
