@@ -12,7 +12,7 @@ packages=(
     g++ cmake make python3 python3-nibabel
     libvtk9-dev xvfb xauth libgl1-mesa-dri
     libcgal-dev libeigen3-dev libgmsh-dev libhdf5-dev zlib1g-dev libssl-dev
-    libnlopt-cxx-dev # corticle fit
+    libnlopt-dev # corticle fit and sensitivity
     libtomlplusplus-dev libcli11-dev libspdlog-dev libfmt-dev nlohmann-json3-dev
     libgtest-dev libgmock-dev libbenchmark-dev clang-format
     libjs-three # report.html
