@@ -21,11 +21,14 @@ using Eigen::VectorXd;
 namespace
 {
 
+/// Correlations between targets of the errors of left-out runs, shrunk by what they owe to the number of runs: the
+/// variance of a correlation r of n values is (1 - r²)² / (n - 1) (Schäfer & Strimmer 2005).
 MatrixXd shrunk_correlation(std::span<const GaussianProcess> processes, Index targets)
 {
     MatrixXd correlation = MatrixXd::Identity(targets, targets);
     const auto runs = static_cast<double>(processes.front().left_out_errors().size());
-    const double kept = runs / (runs + static_cast<double>(targets));
+    double variances = 0.0;
+    double squares = 0.0;
     for (Index j = 0; j < targets; ++j)
     {
         for (Index i = 0; i < j; ++i)
@@ -33,11 +36,16 @@ MatrixXd shrunk_correlation(std::span<const GaussianProcess> processes, Index ta
             const VectorXd& a = processes[static_cast<std::size_t>(i)].left_out_errors();
             const VectorXd& b = processes[static_cast<std::size_t>(j)].left_out_errors();
             const double norms = std::sqrt(a.squaredNorm() * b.squaredNorm());
-            const double found = norms > 0.0 ? kept * a.dot(b) / norms : 0.0;
+            const double found = norms > 0.0 ? a.dot(b) / norms : 0.0;
+            variances += (1.0 - found * found) * (1.0 - found * found) / (runs - 1.0);
+            squares += found * found;
             correlation(i, j) = found;
             correlation(j, i) = found;
         }
     }
+    const double kept = squares > 0.0 ? std::max(0.0, 1.0 - variances / squares) : 0.0;
+    correlation *= kept;
+    correlation.diagonal().setOnes();
     return correlation;
 }
 

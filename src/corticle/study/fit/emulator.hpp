@@ -23,7 +23,7 @@ class Emulator
     Predictions predict(std::span<const double> u) const;
 
     /// log p(observed | u): normal, with the variance of the observation, and of the emulator with the correlations
-    /// that its left-out errors have between targets (shrunk towards none, as they are known from few runs).
+    /// that its left-out errors have between targets (shrunk towards none by what few runs leave open).
     double log_likelihood(std::span<const double> u) const;
 
     /// Additive correction of every prediction, learnt from dearer runs at some points: the mean of what they give more

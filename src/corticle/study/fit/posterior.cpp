@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/study/fit/posterior.hpp"
 
+#include "corticle/base/parallel.hpp"
 #include "corticle/study/fit/minimize.hpp"
 
 #include <Eigen/Cholesky>
@@ -22,8 +23,8 @@ namespace
 
 constexpr int chains = 4;
 constexpr int learning_interval = 100;
-constexpr double first_step = 0.05;
-constexpr double best_scale = 2.38; // over the root of the dimension (Gelman, Roberts & Gilks 1996)
+constexpr double best_scale = 2.38;        // over the root of the dimension (Gelman, Roberts & Gilks 1996)
+constexpr std::uint64_t chain_seed = 7919; // between the seeds of chains
 constexpr double least_variance = 1e-8;
 constexpr double even_variance = 1.0 / 12.0;
 constexpr double difference_step = 0.02;
@@ -78,17 +79,23 @@ VectorXd normals(Index count, Random& random)
     return result;
 }
 
-/// One chain; adds to `draws`, and to the number of accepted steps.
-std::vector<VectorXd> one_chain(const LogDensity& density, const Point& mode, int kept, Random& random, int& accepted)
+struct Chain
+{
+    std::vector<VectorXd> draws;
+    int accepted = 0;
+};
+
+/// @param spread  times its transpose, the covariance that is expected
+Chain one_chain(const LogDensity& density, const Point& mode, const MatrixXd& spread, int kept, Random random)
 {
     const auto dimensions = static_cast<Index>(mode.size());
     const double scale = best_scale / std::sqrt(static_cast<double>(dimensions));
-    MatrixXd step = MatrixXd::Identity(dimensions, dimensions) * first_step;
-    VectorXd at = (vector_of(mode) + 0.5 * first_step * normals(dimensions, random)).cwiseMax(0.0).cwiseMin(1.0);
+    MatrixXd step = scale * spread;
+    VectorXd at = (vector_of(mode) + spread * normals(dimensions, random)).cwiseMax(0.0).cwiseMin(1.0);
     double value = value_at(density, at);
     const int learning = std::max(2 * learning_interval, kept / 3);
     std::vector<VectorXd> seen;
-    std::vector<VectorXd> draws;
+    Chain chain;
     for (int i = 0; i < learning + kept; ++i)
     {
         const VectorXd proposed = at + step * normals(dimensions, random);
@@ -99,16 +106,16 @@ std::vector<VectorXd> one_chain(const LogDensity& density, const Point& mode, in
         {
             at = proposed;
             value = proposed_value;
-            accepted += i >= learning ? 1 : 0;
+            chain.accepted += i >= learning ? 1 : 0;
         }
-        (i < learning ? seen : draws).push_back(at);
+        (i < learning ? seen : chain.draws).push_back(at);
         if (i < learning && (i + 1) % learning_interval == 0)
         {
             const std::vector<VectorXd> later(seen.begin() + static_cast<std::ptrdiff_t>(seen.size() / 2), seen.end());
             step = scale * MatrixXd(Eigen::LLT<MatrixXd>(covariance_of(later)).matrixL());
         }
     }
-    return draws;
+    return chain;
 }
 
 /// Of one coordinate of parts of chains of equal length.
@@ -143,21 +150,21 @@ double split_r_hat(const std::vector<std::vector<double>>& parts)
     return within > 0.0 ? std::sqrt((length - 1.0) / length + between / within) : 1.0;
 }
 
-std::vector<double> mixing_of(const std::vector<std::vector<VectorXd>>& runs)
+std::vector<double> mixing_of(const std::vector<Chain>& runs)
 {
     std::vector<double> mixing;
-    for (Index k = 0; k < runs.front().front().size(); ++k)
+    for (Index k = 0; k < runs.front().draws.front().size(); ++k)
     {
         std::vector<std::vector<double>> parts;
-        for (const std::vector<VectorXd>& run : runs)
+        for (const Chain& run : runs)
         {
-            const std::size_t half = run.size() / 2;
+            const std::size_t half = run.draws.size() / 2;
             for (const std::size_t begin : {std::size_t{0}, half})
             {
                 std::vector<double>& part = parts.emplace_back();
                 for (std::size_t i = begin; i < begin + half; ++i)
                 {
-                    part.push_back(run[i](k));
+                    part.push_back(run.draws[i](k));
                 }
             }
         }
@@ -192,6 +199,14 @@ MatrixXd curvature(const LogDensity& density, const VectorXd& mode)
     return result / (difference_step * difference_step);
 }
 
+/// A root of the covariance of the normal density with that curvature: principal axes by their deviations.
+MatrixXd normal_spread(const LogDensity& density, const VectorXd& mode)
+{
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(curvature(density, mode));
+    const VectorXd deviations = eigen.eigenvalues().cwiseMax(1.0 / even_variance).cwiseInverse().cwiseSqrt();
+    return eigen.eigenvectors() * deviations.asDiagonal();
+}
+
 } // namespace
 
 Point find_mode(const LogDensity& density, std::span<const Point> starts)
@@ -213,15 +228,22 @@ Point find_mode(const LogDensity& density, std::span<const Point> starts)
 
 Draws walk(const LogDensity& density, const Point& mode, int count, std::uint64_t seed)
 {
-    Random random(seed);
+    const MatrixXd spread = normal_spread(density, vector_of(mode));
+    std::vector<Chain> runs(chains);
+    parallel_blocks(
+        chains,
+        [&](std::int64_t chain, std::int64_t)
+        {
+            const Random random(seed + static_cast<std::uint64_t>(chain) * chain_seed);
+            runs[static_cast<std::size_t>(chain)] = one_chain(density, mode, spread, count / chains, random);
+        },
+        1);
     Draws draws;
-    std::vector<std::vector<VectorXd>> runs;
     int accepted = 0;
-    const int kept = count / chains;
-    for (int chain = 0; chain < chains; ++chain)
+    for (const Chain& run : runs)
     {
-        runs.push_back(one_chain(density, mode, kept, random, accepted));
-        for (const VectorXd& u : runs.back())
+        accepted += run.accepted;
+        for (const VectorXd& u : run.draws)
         {
             draws.points.push_back(point_of(u));
         }
@@ -234,8 +256,7 @@ Draws walk(const LogDensity& density, const Point& mode, int count, std::uint64_
 Draws laplace(const LogDensity& density, const Point& mode, int count, std::uint64_t seed)
 {
     const VectorXd centre = vector_of(mode);
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(curvature(density, centre));
-    const VectorXd deviations = eigen.eigenvalues().cwiseMax(1.0 / even_variance).cwiseInverse().cwiseSqrt();
+    const MatrixXd spread = normal_spread(density, centre);
     Random random(seed);
     Draws draws;
     draws.is_laplace = true;
@@ -245,7 +266,7 @@ Draws laplace(const LogDensity& density, const Point& mode, int count, std::uint
         VectorXd u = centre;
         for (int tries = 0; tries < most_redraws; ++tries)
         {
-            u = centre + eigen.eigenvectors() * deviations.cwiseProduct(normals(centre.size(), random));
+            u = centre + spread * normals(centre.size(), random);
             if (is_in_cube(u))
             {
                 break;

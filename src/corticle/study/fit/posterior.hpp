@@ -26,8 +26,9 @@ struct Draws
     bool is_laplace = false;
 };
 
-/// Random-walk Metropolis in four chains from about the mode. A first quarter of each, which is not kept, learns how
-/// far to step (Haario et al. 2001). A seed gives the same draws.
+/// Random-walk Metropolis in four chains from about the mode. The first part of each, which is not kept, learns how
+/// far to step (Haario et al. 2001), from the curvature at the mode on. A seed gives the same draws.
+/// @param density  called from several threads
 Draws walk(const LogDensity& density, const Point& mode, int count, std::uint64_t seed);
 
 /// Draws from the normal density with the curvature of `density` at its mode, cut to the cube. Where the curvature says
