@@ -32,7 +32,7 @@ struct Oscillator
     {
         motion.force[0] = -stiffness * motion.x[0];
         dynamics::Motion next = motion;
-        const dynamics::StepEnergies energies = dynamics::advance(motion, std::vector{mass}, dt, damping, next);
+        const dynamics::StepEnergies energies = dynamics::advance(motion, std::vector{mass}, dt, {damping}, next);
         motion = next;
         damped += energies.damped;
         return energies;
@@ -90,7 +90,7 @@ TEST(Advance, DampingDecaysExactlyWhateverTheStep)
     double damped = 0.0;
     for (const double dt : {0.1, 2.0, 0.4})
     {
-        damped += dynamics::advance(motion, std::vector{1.5}, dt, 0.8, next).damped;
+        damped += dynamics::advance(motion, std::vector{1.5}, dt, {0.8}, next).damped;
         motion = next;
     }
     const Vec3 expected = std::exp(-0.8 * 2.5) * Vec3{4, -5, 6};
@@ -98,11 +98,43 @@ TEST(Advance, DampingDecaysExactlyWhateverTheStep)
     EXPECT_NEAR(damped, 0.5 * 1.5 * (77.0 - squared_norm(expected)), 1e-12);
 }
 
+TEST(Advance, AMediumThatExpandsCarriesAlong)
+{
+    const std::vector<double> mass{2.0, 0.5};
+    dynamics::Motion now{{Vec3{3, 0, 0}, Vec3{1, -4, 2}}, {Vec3{0.1, 0, 0.3}, Vec3{}}, {Vec3{}, Vec3{0, 1, 0}}};
+    dynamics::Motion next = now;
+    const dynamics::Medium medium{0.9, 0.02, {1, 1, 1}};
+    const double dt = 0.05;
+    const double before = dynamics::kinetic_energies(now, mass, medium).whole;
+    const dynamics::StepEnergies energies = dynamics::advance(now, mass, dt, medium, next);
+    double work = 0.0; // of the force over the kick, before the drag
+    for (std::size_t i = 0; i < mass.size(); ++i)
+    {
+        const Vec3 u = 0.02 * (now.x[i] - Vec3{1, 1, 1});
+        const Vec3 driven = now.v[i] + (dt / mass[i]) * now.force[i];
+        EXPECT_LT(norm(next.v[i] - (u + std::exp(-0.9 * dt) * (driven - u))), 1e-15);
+        work += 0.5 * mass[i] * (squared_norm(driven) - squared_norm(now.v[i]));
+    }
+    EXPECT_NEAR(before + work + energies.carried, energies.kinetic + energies.damped, 1e-14);
+    EXPECT_GT(energies.damped, 0.0);
+}
+
+TEST(Advance, WhatMovesAsTheMediumKeepsItsSpeed)
+{
+    dynamics::Motion now{{Vec3{3, 0, 0}}, {Vec3{0.04, -0.02, -0.02}}, {Vec3{}}};
+    dynamics::Motion next = now;
+    const dynamics::StepEnergies energies =
+        dynamics::advance(now, std::vector{2.0}, 0.1, {50.0, 0.02, {1, 1, 1}}, next);
+    EXPECT_LT(norm(next.v[0] - now.v[0]), 1e-16);
+    EXPECT_NEAR(energies.relative, 0.0, 1e-30);
+    EXPECT_NEAR(energies.damped, 0.0, 1e-30);
+}
+
 TEST(Advance, TellsTheLongestWay)
 {
     const dynamics::Motion motion{{Vec3{}, Vec3{}}, {Vec3{3, 0, 4}, Vec3{0, -1, 0}}, {Vec3{}, Vec3{}}};
     dynamics::Motion next = motion;
-    EXPECT_NEAR(dynamics::advance(motion, std::vector{2.0, 2.0}, 0.1, 0.0, next).longest, 0.5, 1e-15);
+    EXPECT_NEAR(dynamics::advance(motion, std::vector{2.0, 2.0}, 0.1, {}, next).longest, 0.5, 1e-15);
 }
 
 TEST(Advance, EnergyBalanceBalance)

@@ -30,7 +30,7 @@ double oscillator_at_two(int steps)
             force(stage, (k + part) * dt);
             return true;
         };
-        EXPECT_TRUE(method.advance(now, mass, dt, damping, evaluate, next));
+        EXPECT_TRUE(method.advance(now, mass, dt, {damping}, evaluate, next));
         force(next, (k + 1) * dt);
         std::swap(now, next);
     }
@@ -46,13 +46,43 @@ TEST(RungeKutta4, IsOfFourthOrder)
     EXPECT_LT(std::abs(half_error), 1e-5);
 }
 
+TEST(RungeKutta4, EnergyBalanceInAMediumThatExpands)
+{
+    const std::vector<double> mass{0.5};
+    const dynamics::Medium medium{0.6, 0.1, {-2, 0, 0}};
+    const auto spring = [](dynamics::Motion& motion) { motion.force[0] = -2.0 * motion.x[0]; };
+    dynamics::Motion now{{{1, 0, 0}}, {{}}, {{}}};
+    dynamics::Motion next = now;
+    dynamics::RungeKutta4 method;
+    spring(now);
+    double damped = 0.0;
+    double carried = 0.0;
+    for (int k = 0; k < 1000; ++k)
+    {
+        const auto evaluate = [&](dynamics::Motion& stage, double)
+        {
+            spring(stage);
+            return true;
+        };
+        const auto energies = method.advance(now, mass, 0.005, medium, evaluate, next);
+        ASSERT_TRUE(energies);
+        damped += energies->damped;
+        carried += energies->carried;
+        spring(next);
+        std::swap(now, next);
+    }
+    const double stored = squared_norm(now.x[0]) + dynamics::kinetic_energies(now, mass, medium).whole;
+    EXPECT_NEAR(1.0 + carried, stored + damped, 1e-4);
+    EXPECT_GT(std::abs(carried), 0.01);
+}
+
 TEST(RungeKutta4, StopsAtAStageThatIsInvalid)
 {
     dynamics::Motion now{{{1, 0, 0}}, {{}}, {{}}};
     dynamics::Motion next = now;
     int calls = 0;
     const auto evaluate = [&](dynamics::Motion&, double) { return ++calls < 2; };
-    EXPECT_FALSE(dynamics::RungeKutta4().advance(now, std::vector<double>{1.0}, 0.1, 0.0, evaluate, next));
+    EXPECT_FALSE(dynamics::RungeKutta4().advance(now, std::vector<double>{1.0}, 0.1, {}, evaluate, next));
     EXPECT_EQ(calls, 2);
 }
 

@@ -47,6 +47,25 @@ TEST(TissueGrowth, RatesAreDerivatives)
     }
 }
 
+TEST(TissueGrowth, MeanRateIsThatOfTheGrownVolume)
+{
+    const TissueGrowth growth(two_tissues, GestationalClock::wang, 23.0, 38.0);
+    const PerTissue<double> volumes{3.0, 5.0, 2.0}; // deep tissue does not grow
+    const auto length = [&](double t)
+    {
+        double volume = 2.0;
+        for (const TissueKind kind : {TissueKind::cortex, TissueKind::white})
+        {
+            const TissueGrowthAt g = growth.at(kind, t);
+            volume += volumes[static_cast<std::size_t>(kind)] * g.tangential * g.tangential * g.radial;
+        }
+        return std::cbrt(volume);
+    };
+    constexpr double t = 0.3;
+    constexpr double h = 1e-6;
+    EXPECT_NEAR(growth.mean_rate(volumes, t), std::log(length(t + h) / length(t - h)) / (2 * h), 1e-6);
+}
+
 std::string refusal(std::vector<GrowthRow> rows, double start = 23.0, double end = 38.0)
 {
     try
@@ -71,19 +90,35 @@ TEST(TissueGrowth, RefusesRowsThatSayTooLittleOrTooMuch)
 TEST(TissueGrowth, OfAFetalBrainKeepsTheVolumesOfItsTissues)
 {
     // Tissue labels of an atlas, week 23 to 38: cortex 18.6 to 118.8 ml, white matter 30.5 to 151.9 ml (see
-    // docs/theory/growth-law.md). The smooth courses pass within 5 %.
-    const TissueGrowth growth(fetal_growth(), GestationalClock::wang, 23.0, 38.0);
+    // docs/theory/growth-law.md), passed within the tolerances that the law is calibrated to.
+    const TissueGrowth growth(fetal_growth(23.0), GestationalClock::wang, 23.0, 38.0);
     const double t = growth_time(GestationalClock::wang, 38.0);
     const auto volume = [&](TissueKind tissue)
     {
         const TissueGrowthAt now = growth.at(tissue, t);
         return now.tangential * now.tangential * now.radial;
     };
-    const double put_back = volume(TissueKind::cortex) / (118.8 / 18.6);
-    EXPECT_GT(put_back, 1.03); // what compression will take of the cortex, 8 %, within the fit
-    EXPECT_LT(put_back, 1.13);
-    EXPECT_NEAR(volume(TissueKind::white), 151.9 / 30.5, 0.05 * 151.9 / 30.5);
+    EXPECT_NEAR(volume(TissueKind::cortex), 118.8 / 18.6, 0.05 * 118.8 / 18.6);
+    EXPECT_NEAR(volume(TissueKind::white), 151.9 / 30.5, 0.06 * 151.9 / 30.5);
     EXPECT_EQ(volume(TissueKind::still), 1.0);
+}
+
+TEST(TissueGrowth, OfAFetalBrainImagedLaterMakesUpForTheStressItHad)
+{
+    const double t = growth_time(GestationalClock::wang, 38.0);
+    // ln q, by what growth along and across the cortex is beyond that of its volume
+    const auto excess = [&](double start_week)
+    {
+        const TissueGrowthAt now =
+            TissueGrowth(fetal_growth(start_week), GestationalClock::wang, start_week, 38.0).at(TissueKind::cortex, t);
+        return std::log(now.tangential / now.radial) / 3.0;
+    };
+    const double of_the_course = excess(23.0);
+    EXPECT_NEAR(of_the_course, 0.227, 1e-3);
+    // At 28 weeks ln q is 0.146; 0.1025 of it comes back but for exp(-10/4).
+    EXPECT_NEAR(excess(28.0), of_the_course - 0.146 + 0.1025 * (1.0 - std::exp(-2.5)), 1e-3);
+    // A younger brain than that of the calibration has none.
+    EXPECT_NEAR(excess(21.0), of_the_course + 0.0653, 1e-3);
 }
 
 TEST(LabelledTissue, MixesWhatIsThereByShare)

@@ -9,9 +9,9 @@
 namespace corticle::dynamics
 {
 
-StepEnergies advance(const Motion& from, std::span<const double> mass, double dt, double damping, Motion& to)
+StepEnergies advance(const Motion& from, std::span<const double> mass, double dt, const Medium& medium, Motion& to)
 {
-    const double decay = std::exp(-damping * dt);
+    const double decay = std::exp(-medium.damping * dt);
     const auto count = static_cast<std::int64_t>(mass.size());
     StepEnergies energies = parallel_reduce(
         count, StepEnergies{},
@@ -21,12 +21,16 @@ StepEnergies advance(const Motion& from, std::span<const double> mass, double dt
             for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
             {
                 const double half_mass = 0.5 * mass[i];
-                const Vec3 driven = from.v[i] + (dt / mass[i]) * from.force[i];
-                const Vec3 velocity = decay * driven;
+                const Vec3 carried = medium.velocity(from.x[i]);
+                const Vec3 driven = from.v[i] + (dt / mass[i]) * from.force[i] - carried;
+                const Vec3 relative = decay * driven;
+                const Vec3 velocity = relative + carried;
                 const double squared_speed = squared_norm(velocity);
-                const double kinetic = half_mass * squared_speed;
+                const double kinetic = half_mass * squared_norm(relative);
                 sum.damped += half_mass * squared_norm(driven) - kinetic;
-                sum.kinetic += kinetic;
+                sum.carried += mass[i] * dot(carried, relative - driven);
+                sum.relative += kinetic;
+                sum.kinetic += half_mass * squared_speed;
                 sum.longest = std::max(sum.longest, squared_speed);
                 to.v[i] = velocity;
                 to.x[i] = from.x[i] + dt * velocity;
@@ -36,11 +40,23 @@ StepEnergies advance(const Motion& from, std::span<const double> mass, double dt
         [](StepEnergies& total, const StepEnergies& part)
         {
             total.kinetic += part.kinetic;
+            total.relative += part.relative;
             total.damped += part.damped;
+            total.carried += part.carried;
             total.longest = std::max(total.longest, part.longest);
         });
     energies.longest = dt * std::sqrt(energies.longest);
     return energies;
+}
+
+KineticEnergies kinetic_energies(const Motion& motion, std::span<const double> mass, const Medium& medium)
+{
+    const auto sum = [&](auto velocity) {
+        return parallel_sum(std::ssize(mass),
+                            [&](std::int64_t i) { return 0.5 * mass[i] * squared_norm(velocity(i)); });
+    };
+    return {sum([&](std::int64_t i) { return motion.v[i]; }),
+            sum([&](std::int64_t i) { return motion.v[i] - medium.velocity(motion.x[i]); })};
 }
 
 } // namespace corticle::dynamics

@@ -18,17 +18,37 @@ struct Motion
     std::vector<Vec3> force;
 };
 
+/// What a body moves in: mass-proportional drag on motion against a medium that may expand with the body.
+struct Medium
+{
+    double damping = 0.0;   ///< [1 / time]
+    double expansion = 0.0; ///< [1 / time]
+    Vec3 centre{};          ///< that stays where it is [mm]
+
+    Vec3 velocity(const Vec3& x) const { return expansion * (x - centre); }
+};
+
 /// Energies of one step [mu_w mm³].
 struct StepEnergies
 {
-    double kinetic = 0.0; ///< at the end of the step
-    double damped = 0.0;  ///< taken by the mass-proportional damping
-    double longest = 0.0; ///< way of a particle [mm]
+    double kinetic = 0.0;  ///< at the end of the step
+    double relative = 0.0; ///< the same, of the motion against the medium
+    double damped = 0.0;   ///< taken by the damping
+    double carried = 0.0;  ///< work of the medium as it expands
+    double longest = 0.0;  ///< way of a particle [mm]
 };
 
-/// One step of symplectic Euler with mass-proportional damping integrated exactly:
-/// v' = (v + dt f/m) exp(-damping dt), x' = x + dt v'.
-StepEnergies advance(const Motion& from, std::span<const double> mass, double dt, double damping, Motion& to);
+/// One step of symplectic Euler with the damping integrated exactly, u the velocity of the medium at x:
+/// v' = u + (v + dt f/m - u) exp(-damping dt), x' = x + dt v'.
+StepEnergies advance(const Motion& from, std::span<const double> mass, double dt, const Medium& medium, Motion& to);
+
+/// Kinetic energy, whole and against the medium.
+struct KineticEnergies
+{
+    double whole = 0.0;
+    double relative = 0.0;
+};
+KineticEnergies kinetic_energies(const Motion& motion, std::span<const double> mass, const Medium& medium);
 
 /// Largest step an explicit integrator may take, times a safety factor:
 /// cfl · spacing / (largest of wave speed · g / smallest principal stretch).

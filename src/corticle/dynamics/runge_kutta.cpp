@@ -6,19 +6,11 @@
 namespace corticle::dynamics
 {
 
-namespace
-{
-
-double kinetic_energy(const Motion& motion, std::span<const double> mass)
-{
-    return parallel_sum(std::ssize(mass), [&](std::int64_t i) { return 0.5 * mass[i] * squared_norm(motion.v[i]); });
-}
-
-} // namespace
-
 std::optional<StepEnergies> RungeKutta4::advance(const Motion& from, std::span<const double> mass, double dt,
-                                                 double damping, const Evaluate& evaluate, Motion& to)
+                                                 const Medium& medium, const Evaluate& evaluate, Motion& to)
 {
+    const auto rate_of = [&](const Motion& motion, std::int64_t i)
+    { return motion.force[i] / mass[i] - medium.damping * (motion.v[i] - medium.velocity(motion.x[i])); };
     constexpr double parts[] = {0.5, 0.5, 1.0}; // of the step, where stages two to four lie
     constexpr double weights[] = {1.0, 2.0, 2.0};
     velocity_sum_.assign(mass.size(), Vec3{});
@@ -30,7 +22,7 @@ std::optional<StepEnergies> RungeKutta4::advance(const Motion& from, std::span<c
                      [&](std::int64_t i)
                      {
                          const Vec3 velocity = last.v[i];
-                         const Vec3 rate = last.force[i] / mass[i] - damping * velocity;
+                         const Vec3 rate = rate_of(last, i);
                          velocity_sum_[i] += weights[stage] * velocity;
                          rate_sum_[i] += weights[stage] * rate;
                          to.x[i] = from.x[i] + (parts[stage] * dt) * velocity;
@@ -44,13 +36,24 @@ std::optional<StepEnergies> RungeKutta4::advance(const Motion& from, std::span<c
     parallel_for(std::ssize(mass),
                  [&](std::int64_t i)
                  {
-                     const Vec3 rate = to.force[i] / mass[i] - damping * to.v[i];
+                     const Vec3 rate = rate_of(to, i);
                      to.x[i] = from.x[i] + (dt / 6.0) * (velocity_sum_[i] + to.v[i]);
                      to.v[i] = from.v[i] + (dt / 6.0) * (rate_sum_[i] + rate);
                  });
-    StepEnergies energies;
-    energies.kinetic = kinetic_energy(to, mass);
-    energies.damped = damping * dt * (kinetic_energy(from, mass) + energies.kinetic);
+    const KineticEnergies before = kinetic_energies(from, mass, medium);
+    const KineticEnergies after = kinetic_energies(to, mass, medium);
+    StepEnergies energies{after.whole, after.relative};
+    energies.damped = medium.damping * dt * (before.relative + after.relative);
+    const auto drag_power = [&](const Motion& motion)
+    {
+        return parallel_sum(std::ssize(mass),
+                            [&](std::int64_t i)
+                            {
+                                const Vec3 u = medium.velocity(motion.x[i]);
+                                return mass[i] * dot(u, u - motion.v[i]);
+                            });
+    };
+    energies.carried = 0.5 * medium.damping * dt * (drag_power(from) + drag_power(to));
     return energies;
 }
 

@@ -9,7 +9,8 @@
 namespace corticle::dynamics
 {
 
-/// The classical Runge-Kutta method of fourth order for x'' = f(x, x', t) / m - damping x'.
+/// The classical Runge-Kutta method of fourth order for x'' = f(x, x', t) / m - damping (x' - u),
+/// u the velocity of the medium.
 class RungeKutta4
 {
   public:
@@ -19,8 +20,8 @@ class RungeKutta4
 
     /// One step of length dt from `from`, whose forces are known; three evaluations. The forces of `to` are left to the
     /// caller. @return the energies, or nothing where a stage is invalid
-    std::optional<StepEnergies> advance(const Motion& from, std::span<const double> mass, double dt, double damping,
-                                        const Evaluate& evaluate, Motion& to);
+    std::optional<StepEnergies> advance(const Motion& from, std::span<const double> mass, double dt,
+                                        const Medium& medium, const Evaluate& evaluate, Motion& to);
 
   private:
     std::vector<Vec3> velocity_sum_; ///< v1 + 2 v2 + 2 v3 + v4

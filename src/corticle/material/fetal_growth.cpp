@@ -2,6 +2,7 @@
 #include "corticle/material/tissue_growth.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace corticle::material
@@ -10,63 +11,85 @@ namespace corticle::material
 namespace
 {
 
-constexpr double first_week = 20.0;
-constexpr double last_week = 40.0;
-constexpr double first_fitted = 23.0;
-constexpr double last_fitted = 38.0;
-
-/// ln V = rate (w - 30) + bend (w - 30)² + twist (w - 30)³ up to a constant, fitted to volumes of labelled tissue
-/// (docs/theory/growth-law.md); beyond the weeks of the fit V goes on at its rate there.
-struct VolumeCourse
+/// What tissues have grown by, in logarithms, against week 23 (docs/theory/growth-law.md).
+struct Grown
 {
-    double rate;  ///< [1/week]
-    double bend;  ///< [1/week²]
-    double twist; ///< [1/week³]
-
-    /// Linear growth of tissue that keeps its shape, against week 30.
-    double linear(double week) const
-    {
-        const double fitted = std::clamp(week, first_fitted, last_fitted);
-        const double w = fitted - 30.0;
-        const double slope = rate + (2.0 * bend + 3.0 * twist * w) * w;
-        return std::exp((((twist * w + bend) * w + rate) * w + slope * (week - fitted)) / 3.0);
-    }
+    double week;
+    double cortex;        ///< volume of cortex
+    double white;         ///< volume of white matter
+    double deep;          ///< volume of deep grey matter and ventricles
+    double excess;        ///< ln q: of the cortex along the surface
+    double radial_excess; ///< ln p: of the white matter across it
+    double carried;       ///< part of ln q that a brain of this week carries as stress
 };
 
-constexpr VolumeCourse cortex_volume{0.12383, -0.003846, 8.77e-5};
-constexpr VolumeCourse white_volume{0.09967, -0.002899, 2.000e-4};
-constexpr VolumeCourse deep_volume{0.05988, -0.002538, 2.994e-4};
-
-/// ln q, the tangential excess of the cortex: folding is fastest before week 32.
-double log_excess(double week)
-{
-    constexpr double most = 0.165;
-    constexpr double weeks = 6.0;
-    return most * (1.0 - std::exp(-(week - first_fitted) / weeks));
-}
+constexpr std::array knots{
+    Grown{20.0, -0.572, -0.504, -0.418, -0.098, -0.060, 0.000}, Grown{23.0, 0.000, 0.000, 0.000, 0.000, 0.000, 0.000},
+    Grown{25.0, 0.359, 0.309, 0.246, 0.065, 0.040, 0.050},      Grown{27.0, 0.677, 0.571, 0.436, 0.120, 0.067, 0.100},
+    Grown{29.0, 0.958, 0.795, 0.583, 0.172, 0.087, 0.105},      Grown{31.0, 1.185, 0.991, 0.704, 0.195, 0.100, 0.090},
+    Grown{34.0, 1.480, 1.253, 0.864, 0.205, 0.120, 0.065},      Grown{36.0, 1.692, 1.445, 0.979, 0.220, 0.140, 0.055},
+    Grown{38.0, 1.770, 1.573, 1.116, 0.227, 0.200, 0.045},      Grown{40.0, 1.848, 1.706, 1.270, 0.235, 0.260, 0.040},
+};
 
 /// What the excess does to volumes at K / mu = 10, over ln q: it compresses the cortex and stretches the white matter.
 /// Growth takes both back.
 constexpr double cortex_compression = 0.35;
 constexpr double white_stretch = 0.1;
 
+/// In which the excess that a brain as imaged carries as stress comes back.
+constexpr double weeks_to_come_back = 4.0;
+
+/// Linear between knots.
+Grown grown_at(double week)
+{
+    const auto* const after = std::ranges::upper_bound(knots, week, {}, &Grown::week);
+    const auto* const high = std::clamp(after, knots.begin() + 1, knots.end() - 1);
+    const auto* const low = high - 1;
+    const double part = (week - low->week) / (high->week - low->week);
+    const auto between = [&](double Grown::*member) { return (1.0 - part) * low->*member + part * high->*member; };
+    return {week,
+            between(&Grown::cortex),
+            between(&Grown::white),
+            between(&Grown::deep),
+            between(&Grown::excess),
+            between(&Grown::radial_excess),
+            between(&Grown::carried)};
+}
+
+GrowthRow row_of(const Grown& grown, TissueKind tissue)
+{
+    switch (tissue)
+    {
+    case TissueKind::cortex:
+    {
+        const double length = (grown.cortex + cortex_compression * grown.excess) / 3.0;
+        return {grown.week, tissue, std::exp(length + grown.excess), std::exp(length - 2.0 * grown.excess)};
+    }
+    case TissueKind::white:
+    {
+        const double length = (grown.white - white_stretch * grown.excess) / 3.0;
+        return {grown.week, tissue, std::exp(length - grown.radial_excess),
+                std::exp(length + 2.0 * grown.radial_excess)};
+    }
+    default:
+        return {grown.week, tissue, std::exp(grown.deep / 3.0), std::exp(grown.deep / 3.0)};
+    }
+}
+
 } // namespace
 
-std::vector<GrowthRow> fetal_growth()
+std::vector<GrowthRow> fetal_growth(double start_week)
 {
+    const double carried = grown_at(start_week).carried;
     std::vector<GrowthRow> rows;
-    for (double week = first_week; week <= last_week; week += 0.5)
+    for (double week = knots.front().week; week <= knots.back().week; week += 0.5)
     {
-        const double log_q = log_excess(week);
-        const double cortex = cortex_volume.linear(week) * std::exp(cortex_compression / 3.0 * log_q);
-        const double white = white_volume.linear(week) * std::exp(-white_stretch / 3.0 * log_q);
-        rows.push_back({week, TissueKind::cortex, cortex * std::exp(log_q), cortex * std::exp(-2.0 * log_q)});
-        const auto isotropic = [&](TissueKind tissue, double growth) {
-            rows.push_back({week, tissue, growth, growth});
-        };
-        isotropic(TissueKind::white, white);
-        isotropic(TissueKind::deep, deep_volume.linear(week));
-        isotropic(TissueKind::ventricle, deep_volume.linear(week));
+        Grown grown = grown_at(week);
+        grown.excess += carried * (1.0 - std::exp(-std::max(0.0, week - start_week) / weeks_to_come_back));
+        for (const TissueKind tissue : {TissueKind::cortex, TissueKind::white, TissueKind::deep, TissueKind::ventricle})
+        {
+            rows.push_back(row_of(grown, tissue));
+        }
     }
     return rows;
 }

@@ -67,6 +67,18 @@ TissueState start_tissue(const TissueFields& fields, const TissueOptions& option
     return state;
 }
 
+PerTissue<double> tissue_volumes(const TissueFields& fields, std::span<const double> theta)
+{
+    PerTissue<double> volumes{};
+    for (std::size_t i = 0; i < fields.volume.size(); ++i)
+    {
+        const TissueKind kind = fields.kind.empty() ? TissueKind::white : fields.kind[i];
+        volumes[static_cast<std::size_t>(TissueKind::cortex)] += theta[i] * fields.volume[i];
+        volumes[static_cast<std::size_t>(kind)] += (1.0 - theta[i]) * fields.volume[i];
+    }
+    return volumes;
+}
+
 Moduli moduli_of(const TissueOptions& options, TissueKind kind)
 {
     const PerTissue<double> shear{options.mu_cortex, options.mu_white, options.mu_deep, options.mu_ventricle,

@@ -131,6 +131,10 @@ struct Tissue
     MaterialPoint labelled_point(std::size_t i, double t) const;
 };
 
+/// Reference volume of every tissue [mm³]: the cortex by its share theta, the rest as its kind; without kinds it is
+/// white matter.
+PerTissue<double> tissue_volumes(const TissueFields& fields, std::span<const double> theta);
+
 /// Moduli of a tissue [mu_w].
 struct Moduli
 {

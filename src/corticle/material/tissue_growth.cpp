@@ -99,4 +99,18 @@ TissueGrowthAt TissueGrowth::at(TissueKind tissue, double t) const
     return now;
 }
 
+double TissueGrowth::mean_rate(const PerTissue<double>& volumes, double t) const
+{
+    double grown = 0.0;
+    double rate = 0.0;
+    for (std::size_t kind = 0; kind < tissue_count; ++kind)
+    {
+        const TissueGrowthAt g = at(static_cast<TissueKind>(kind), t);
+        const double volume = volumes[kind] * g.tangential * g.tangential * g.radial;
+        grown += volume;
+        rate += volume * (2.0 * g.tangential_rate / g.tangential + g.radial_rate / g.radial);
+    }
+    return rate / (3.0 * grown);
+}
+
 } // namespace corticle::material

@@ -40,6 +40,11 @@ class TissueGrowth
 
     TissueGrowthAt at(TissueKind tissue, double t) const;
 
+    /// How fast a body would lengthen if its parts grew without holding each other back, d ln L/dt: a third of what its
+    /// grown volume V = sum of V_k g_t² g_r does.
+    /// @param volumes  V_k, reference volumes of the tissues
+    double mean_rate(const PerTissue<double>& volumes, double t) const;
+
   private:
     /// g at evenly spaced t.
     struct Course
@@ -54,6 +59,7 @@ class TissueGrowth
 };
 
 /// Growth of the tissues of a fetal brain from week 20 to 40: see docs/theory/growth-law.md.
-std::vector<GrowthRow> fetal_growth();
+/// @param start_week  of the body as given, within these weeks
+std::vector<GrowthRow> fetal_growth(double start_week);
 
 } // namespace corticle::material

@@ -55,7 +55,7 @@ EquilibriumMeasures equilibrium_measures(const EnergyBalance& energies, double v
         energies.elastic + energies.zero_mode + energies.kinetic + energies.others + energies.dissipated;
     EquilibriumMeasures m;
     m.zero_mode_share = ratio(energies.zero_mode, energies.elastic, least);
-    m.kinetic_share = ratio(energies.kinetic, energies.elastic, least);
+    m.kinetic_share = ratio(energies.relative_kinetic, energies.elastic, least);
     m.dissipated_share = ratio(energies.dissipated, energies.growth_work, least);
     m.energy_balance_error =
         ratio(std::abs(energies.growth_work - given), std::max(std::abs(energies.growth_work), std::abs(given)), least);

@@ -26,7 +26,8 @@ struct EnergyBalance
     double elastic = 0.0;
     double zero_mode = 0.0;
     double kinetic = 0.0;
-    double others = 0.0; ///< of contact and whatever else stores energy
+    double relative_kinetic = 0.0; ///< against the mean growth of the body
+    double others = 0.0;           ///< of contact and whatever else stores energy
     double dissipated = 0.0;
     double growth_work = 0.0;
 };

@@ -30,8 +30,11 @@ constexpr std::array run_table{
     RunColumn{"thickness_mean_mm", "mm", "mean thickness of the deformed cortex, weighted with area",
               &Measures::thickness_mean_mm},
     RunColumn{"cortex_volume_mm3", "mm3", "volume of the deformed cortex", &Measures::cortex_volume_mm3},
-    RunColumn{"inner_area_mm2", "mm2", "area of the deformed boundary of cortex and white matter",
-              &Measures::inner_area_mm2},
+    RunColumn{
+        "inner_area_mm2", "mm2",
+        "area of the deformed boundary of cortex and other tissue; with labels of the cortex, of the surface of the "
+        "body without it",
+        &Measures::inner_area_mm2},
     RunColumn{"cortex_thickness_mm", "mm", "cortex_volume_mm3 over the mean of area_mm2 and inner_area_mm2",
               &Measures::cortex_thickness_mm},
     RunColumn{"fold_wavelength_reference_mm", "mm",
@@ -73,8 +76,11 @@ constexpr std::array run_table{
 constexpr std::array equilibrium_table{
     EquilibriumColumn{"zero_mode_share", "-", "energy_zero_mode over energy_elastic; 0 where both are round-off",
                       &EquilibriumMeasures::zero_mode_share},
-    EquilibriumColumn{"kinetic_share", "-", "energy_kinetic over energy_elastic; 0 where both are round-off",
-                      &EquilibriumMeasures::kinetic_share},
+    EquilibriumColumn{
+        "kinetic_share", "-",
+        "kinetic energy over energy_elastic, with growth by week that of the motion against the mean growth of the "
+        "body; 0 where both are round-off",
+        &EquilibriumMeasures::kinetic_share},
     EquilibriumColumn{"dissipated_share", "-", "energy_dissipated over work_growth",
                       &EquilibriumMeasures::dissipated_share},
     EquilibriumColumn{"energy_balance_error", "-",

@@ -88,9 +88,10 @@ void set_energies(const model::Simulation& simulation, std::span<const Mat3> F, 
     }
     m.energy_dissipated = state.energy_balance.dissipated;
     m.work_growth = state.energy_balance.growth_work;
-    static_cast<EquilibriumMeasures&>(m) = equilibrium_measures(
-        {m.energy_elastic, m.energy_zero_mode, m.energy_kinetic, others, m.energy_dissipated, m.work_growth},
-        reference_volume(simulation.model()));
+    static_cast<EquilibriumMeasures&>(m) =
+        equilibrium_measures({m.energy_elastic, m.energy_zero_mode, m.energy_kinetic,
+                              simulation.relative_kinetic_energy(), others, m.energy_dissipated, m.work_growth},
+                             reference_volume(simulation.model()));
     m.residual_force = residual_force(simulation, F);
 }
 
@@ -126,7 +127,7 @@ Measures measure(const model::OutputView& view, const SurfaceArrays& arrays)
     m.curved_volume_ratio = now.curved_volume_mm3 / (curved_0.volume_mm3 * std::pow(scale.length, 3));
     m.thickness_mean_mm = area_mean(arrays.thickness, vertex_areas(x, model.cloud.surface_triangles));
     m.cortex_volume_mm3 = cortex_volume(simulation, *view.F) * std::pow(scale.length, 3);
-    m.inner_area_mm2 = surface_area(arrays.boundary, view.triangles());
+    m.inner_area_mm2 = arrays.inner_area;
     m.cortex_thickness_mm = 2.0 * m.cortex_volume_mm3 / (m.area_mm2 + m.inner_area_mm2);
     m.fold_wavelength_reference_mm = waves.wavelength_mm;
     m.fold_degree = waves.degree;

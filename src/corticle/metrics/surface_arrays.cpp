@@ -91,8 +91,13 @@ SurfaceArrays surface_arrays(const model::OutputView& view)
     const CarriedCloud carried{cloud.positions, view.state().motion.x, *view.F, cloud.spacing};
     std::vector<Vec3> inner =
         model::scaled(carried_points(carried, cortex_boundary(view.simulation)), view.scale.length);
+    const TriangleMesh& labelled = view.model().inner_surface;
+    const double inner_area = labelled.vertices.empty()
+                                  ? surface_area(inner, view.triangles())
+                                  : surface_area(carried_points(carried, labelled.vertices), labelled.triangles) *
+                                        std::pow(view.scale.length, 2);
     return {fold_fields(view.surface, view.triangles(), fold_options(view)),
-            cortical_thickness(view.surface, inner, view.triangles()), std::move(inner)};
+            cortical_thickness(view.surface, inner, view.triangles()), std::move(inner), inner_area};
 }
 
 ReferenceFolds reference_folds(const model::OutputView& view)

@@ -13,6 +13,7 @@ struct SurfaceArrays
     FoldFields folds;
     std::vector<double> thickness; ///< of the cortex [mm]
     std::vector<Vec3> boundary;    ///< of cortex and white matter: the point below each vertex [mm]
+    double inner_area = 0.0;       ///< of a labelled cortex that of its own inner surface, else of the boundary [mm²]
 };
 
 SurfaceArrays surface_arrays(const model::OutputView& view);

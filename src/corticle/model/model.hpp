@@ -24,6 +24,7 @@ struct Model
 {
     Cloud cloud;                     ///< the nodes
     TriangleMesh surface;            ///< reference surface; its vertices are cloud.surface_particles
+    TriangleMesh inner_surface;      ///< of a labelled cortex, towards other tissue, in the reference frame; or empty
     material::TissueFields tissue;   ///< at the nodes
     tlsph::Particles particles;      ///< pairs; empty with finite elements
     std::optional<ElementModel> fem; ///< of method "fem"

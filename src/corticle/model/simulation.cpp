@@ -38,6 +38,19 @@ double loading_time(const Model& model, const SimulationOptions& options)
     return options.dynamics.loading_time * radius / material::wave_speed(options.tissue);
 }
 
+/// Of nodes of density 1.
+Vec3 centre_of_mass(std::span<const Vec3> x, std::span<const double> mass)
+{
+    Vec3 moment{};
+    double sum = 0.0;
+    for (std::size_t i = 0; i < x.size(); ++i)
+    {
+        moment += mass[i] * x[i];
+        sum += mass[i];
+    }
+    return moment / sum;
+}
+
 /// The body at rest as its growth begins.
 State starting_state(const Model& model, const SimulationOptions& options)
 {
@@ -54,13 +67,20 @@ State starting_state(const Model& model, const SimulationOptions& options)
     return state;
 }
 
+material::PerTissue<double> tissue_volumes(const Model& model, const State& state)
+{
+    return model.fem ? material::tissue_volumes(model.fem->tissue, state.elements.theta)
+                     : material::tissue_volumes(model.tissue, state.nodes.theta);
+}
+
 } // namespace
 
 Simulation::Simulation(std::shared_ptr<const Model> model, const SimulationOptions& options)
     : model_(std::move(model)), options_(std::make_unique<const SimulationOptions>(options)),
       state_(std::make_unique<State>(starting_state(*model_, *options_))), terms_(make_terms(*model_, *options_)),
       mass_(model_->cloud.volumes), total_time_(loading_time(*model_, *options_)),
-      damping_(options_->dynamics.damping / total_time_),
+      damping_(options_->dynamics.damping / total_time_), centre_(centre_of_mass(model_->cloud.positions, mass_)),
+      tissue_volumes_(tissue_volumes(*model_, *state_)),
       rest_dt_(options_->dynamics.time_step > 0.0
                    ? options_->dynamics.time_step * total_time_
                    : dynamics::critical_step(options_->dynamics.cfl, model_->cloud.spacing,
@@ -76,6 +96,7 @@ Simulation::Simulation(std::shared_ptr<const Model> model, const SimulationOptio
     {
         contact_ = contact_ != nullptr ? contact_ : dynamic_cast<const contact::ContactTerm*>(term.get());
     }
+    start_moving();
     start();
 }
 
@@ -110,6 +131,35 @@ void Simulation::restore(State state)
     start();
 }
 
+/// Gives the body the speed of its mean growth, so that it does not lag from the start.
+void Simulation::start_moving()
+{
+    const dynamics::Medium around = medium(state_->t);
+    if (around.expansion == 0.0)
+    {
+        return;
+    }
+    std::ranges::transform(state_->motion.x, state_->motion.v.begin(),
+                           [&](const Vec3& x) { return around.velocity(x); });
+    state_->kinetic_energy = dynamics::kinetic_energies(state_->motion, mass_, around).whole;
+    state_->energy_balance.growth_work = state_->kinetic_energy;
+}
+
+/// What the body moves in at growth time t. Growth by week tells how the body as a whole is to grow, and the medium
+/// grows with it: drag holds back only what moves otherwise. Growth by keys does not tell, and the medium rests.
+dynamics::Medium Simulation::medium(double t) const
+{
+    // drag on what moves as growth does stays the same
+    dynamics::Medium around{damping_ / state_->loading_rate};
+    const material::TissueFields& fields = model_->fem ? model_->fem->tissue : model_->tissue;
+    if (fields.growth)
+    {
+        around.expansion = fields.growth->mean_rate(tissue_volumes_, t) * state_->loading_rate / total_time_;
+        around.centre = centre_;
+    }
+    return around;
+}
+
 /// Takes in the present state and the list of terms.
 void Simulation::start()
 {
@@ -122,6 +172,7 @@ void Simulation::start()
         give_up(state_->motion, state_->t, 0.0);
     }
     now_ = trial_sum_;
+    relative_kinetic_energy_ = dynamics::kinetic_energies(state_->motion, mass_, medium(state_->t)).relative;
 }
 
 void Simulation::step(double t_stop)
@@ -156,16 +207,17 @@ std::vector<Vec3> Simulation::hand_over_positions()
 /// Where a step from the present state leads; nothing where it inverts a particle on the way.
 std::optional<dynamics::StepEnergies> Simulation::advance(const dynamics::StepPlan& plan)
 {
-    const double damping = damping_ / state_->loading_rate; // drag on what moves as growth does stays the same
+    const dynamics::Medium around = medium(plan.t_before);
     if (options_->dynamics.integrator == dynamics::Integrator::symplectic_euler)
     {
-        dynamics::StepEnergies energies = dynamics::advance(state_->motion, mass_, plan.dt, damping, trial_);
+        dynamics::StepEnergies energies = dynamics::advance(state_->motion, mass_, plan.dt, around, trial_);
         trial_travel_ = limit_travel(plan, energies.longest);
         energies.kinetic -= trial_travel_.energy;
+        energies.relative -= trial_travel_.energy;
         return energies;
     }
     return runge_kutta_.advance(
-        state_->motion, mass_, plan.dt, damping,
+        state_->motion, mass_, plan.dt, around,
         [&](dynamics::Motion& stage, double part)
         { return evaluate(stage, plan.t_before + part * (plan.t - plan.t_before), part * plan.dt); },
         trial_);
@@ -224,14 +276,16 @@ void Simulation::commit(const dynamics::StepPlan& plan, const dynamics::StepEner
     }
     std::swap(state_->motion, trial_);
     const double growth_step = plan.t - plan.t_before;
-    state_->energy_balance.growth_work += 0.5 * (now_.growth_power + trial_sum_.growth_power) * growth_step;
+    state_->energy_balance.growth_work +=
+        energies.carried + 0.5 * (now_.growth_power + trial_sum_.growth_power) * growth_step;
     state_->energy_balance.dissipated +=
         energies.damped + trial_travel_.energy + 0.5 * (now_.viscous_power + trial_sum_.viscous_power) * plan.dt;
     now_ = trial_sum_;
     state_->travel_taken += trial_travel_;
     state_->kinetic_energy = energies.kinetic;
+    relative_kinetic_energy_ = energies.relative;
     state_->loading_rate = loading_.next({state_->loading_rate, plan.t, growth_step, state_->onset_t >= 0.0,
-                                          state_->kinetic_energy, now_.elastic_energy});
+                                          relative_kinetic_energy_, now_.elastic_energy});
     state_->t = plan.t;
     ++state_->steps;
     state_->step_scale = std::min(1.0, state_->step_scale * step_recovery);

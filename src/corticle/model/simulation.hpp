@@ -55,6 +55,9 @@ class Simulation
     }
     /// Wall time that a term has taken since the simulation was made [s]; 0 where there is no term of this name.
     double seconds_of(std::string_view term) const;
+    /// Kinetic energy of the motion against the mean growth of the body, where growth by week tells that; else all of
+    /// it [mu_w mm³].
+    double relative_kinetic_energy() const { return relative_kinetic_energy_; }
     double total_time() const { return total_time_; }
     /// Step the state allows now, in growth time [-].
     double step_size() const { return now_.stable_step * state_->step_scale * state_->loading_rate / total_time_; }
@@ -68,7 +71,9 @@ class Simulation
     Vec3 place_of_smallest_J() const;
 
   private:
+    void start_moving();
     void start();
+    dynamics::Medium medium(double t) const;
     void move_layer(double t);
     bool evaluate(dynamics::Motion& motion, double t, double dt);
     std::optional<dynamics::StepEnergies> advance(const dynamics::StepPlan& plan);
@@ -91,9 +96,12 @@ class Simulation
     const std::vector<double>& mass_;               ///< density 1 [mm³]
     double total_time_;                             ///< T, time of t = 0..1
     double damping_;                                ///< gamma
+    Vec3 centre_;                                   ///< of mass, at rest [mm]
+    material::PerTissue<double> tissue_volumes_;    ///< reference volumes [mm³]
     double rest_dt_;                                ///< the step that the body allows at rest
     dynamics::Loading loading_;
     dynamics::RungeKutta4 runge_kutta_;
+    double relative_kinetic_energy_ = 0.0;
     dynamics::Motion trial_;
     mechanics::TravelTaken trial_travel_; ///< taken from the step that is tried
     mechanics::Contribution now_;         ///< of all terms, at the present state

@@ -39,19 +39,6 @@ double rough_spacing(const GeometryOptions& options, const imaging::LabelVolume&
     return std::cbrt(volume / static_cast<double>(options.particles.value_or(default_particles)));
 }
 
-/// How the mask is cleaned where the options do not say: at the resolution of the image, so that fissures stay open.
-imaging::MaskOptions settled_mask(const GeometryOptions& options, const imaging::LabelVolume& image, int coarsening)
-{
-    const Vec3 edges = imaging::voxel_edges(image.frame);
-    const double spacing = rough_spacing(options, image);
-    const double voxel = std::cbrt(edges.x * edges.y * edges.z);
-    imaging::MaskOptions mask = options.mask;
-    mask.closing_mm = options.closing_mm.value_or(std::min(10.0, 0.5 * coarsening * spacing));
-    mask.smoothing_mm = options.smoothing_mm.value_or(
-        std::min(5.0, std::max(smoothing_in_voxels * voxel, (1.0 + coarsening) * smoothing_in_spacings * spacing)));
-    return mask;
-}
-
 void take_labels(const GeometryOptions& options, int coarsening, BodySource& source)
 {
     source.kind = "labels";
@@ -97,6 +84,18 @@ double ellipsoid_area(const std::array<double, 3>& axes)
 }
 
 } // namespace
+
+imaging::MaskOptions settled_mask(const GeometryOptions& options, const imaging::LabelVolume& image, int coarsening)
+{
+    const Vec3 edges = imaging::voxel_edges(image.frame);
+    const double spacing = rough_spacing(options, image);
+    const double voxel = std::cbrt(edges.x * edges.y * edges.z);
+    imaging::MaskOptions mask = options.mask;
+    mask.closing_mm = options.closing_mm.value_or(std::min(10.0, 0.5 * coarsening * spacing));
+    mask.smoothing_mm = options.smoothing_mm.value_or(
+        std::min(5.0, std::max(smoothing_in_voxels * voxel, (1.0 + coarsening) * smoothing_in_spacings * spacing)));
+    return mask;
+}
 
 std::array<double, 3> semi_axes(const GeometryOptions& options)
 {

@@ -32,6 +32,11 @@ struct BodySource
 /// @throws InputError
 BodySource read_body_source(const GeometryOptions& options, int coarsening = 0);
 
+/// How the mask of labels is cleaned where the options do not say: at the resolution of the image, so that fissures
+/// stay open.
+imaging::MaskOptions settled_mask(const GeometryOptions& options, const imaging::LabelVolume& image,
+                                  int coarsening = 0);
+
 /// Whether another coarsening would make another surface.
 bool can_coarsen(const GeometryOptions& options);
 

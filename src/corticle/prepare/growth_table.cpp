@@ -83,8 +83,9 @@ std::vector<material::GrowthRow> read_growth_table(const std::filesystem::path& 
 
 std::vector<material::GrowthRow> growth_rows(const PreparationOptions& options)
 {
-    return options.tissue.growth_source == material::GrowthSource::table ? read_growth_table(options.growth_table)
-                                                                         : material::fetal_growth();
+    return options.tissue.growth_source == material::GrowthSource::table
+               ? read_growth_table(options.growth_table)
+               : material::fetal_growth(options.time.start_week.value());
 }
 
 } // namespace corticle::prepare

@@ -3,7 +3,9 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/formats/volumes/nifti.hpp"
+#include "corticle/imaging/surface_from_labels.hpp"
 #include "corticle/material/layer.hpp"
+#include "corticle/prepare/body_source.hpp"
 #include "corticle/prepare/growth_table.hpp"
 
 #include <fmt/format.h>
@@ -86,6 +88,33 @@ imaging::TissueReader read_tissues(const PreparationOptions& options, std::vecto
     }
 }
 
+TriangleMesh inner_surface(const PreparationOptions& options, std::vector<std::string>& notes)
+{
+    const GeometryOptions& geometry = options.geometry;
+    imaging::LabelVolume image = formats::read_nifti(geometry.file, {geometry.mask.volume, geometry.coordinates});
+    const auto holds = [](const std::vector<std::int64_t>& list, std::int32_t label)
+    { return std::ranges::find(list, label) != list.end(); };
+    imaging::MaskOptions mask = settled_mask(geometry, image);
+    const std::vector<std::int64_t>& cortex = options.labels[static_cast<std::size_t>(material::TissueKind::cortex)];
+    for (std::int32_t& label : image.labels)
+    {
+        const bool is_body = mask.labels.empty() || holds(mask.labels, label);
+        label = is_body && !holds(cortex, label) ? label : 0;
+    }
+    mask.labels.clear();
+    try
+    {
+        return imaging::surface_from_labels(image, mask).surface;
+    }
+    catch (const InputError& error)
+    {
+        notes.push_back(fmt::format("no inner surface of the cortex from the labels ({}): its area is taken below the "
+                                    "outer surface",
+                                    error.what()));
+        return {};
+    }
+}
+
 void set_labelled_tissue(const imaging::TissueReader& reader, std::span<const Vec3> places,
                          material::TissueFields& tissue)
 {
@@ -125,11 +154,7 @@ TissueReport report_tissues(const model::Model& model)
 {
     const material::TissueFields& tissue = model.fem ? model.fem->tissue : model.tissue;
     TissueReport report;
-    for (std::size_t i = 0; i < tissue.kind.size(); ++i)
-    {
-        report.volume_mm3[0] += tissue.given_theta[i] * tissue.volume[i];
-        report.volume_mm3[static_cast<std::size_t>(tissue.kind[i])] += (1.0 - tissue.given_theta[i]) * tissue.volume[i];
-    }
+    report.volume_mm3 = material::tissue_volumes(tissue, tissue.given_theta);
     const CortexBelow sums = cortex_below_surface(model);
     report.cortex_area_share = sums.cortex_area / sums.area;
     report.thickness_mm = labelled_thickness(model);

@@ -12,6 +12,10 @@ namespace corticle::prepare
 /// The tissues of the label volume that is the body. @throws InputError, one line naming the file
 imaging::TissueReader read_tissues(const PreparationOptions& options, std::vector<std::string>& notes);
 
+/// The surface of the body without its cortex, cleaned like that of the body (settled_mask). Empty where there is none
+/// in one piece; `notes` says so.
+TriangleMesh inner_surface(const PreparationOptions& options, std::vector<std::string>& notes);
+
 /// What the labels say at material points.
 /// @param tissue  with depths: the thickness at a point is its depth and the way on to the inner boundary; 0 where no
 /// cortex is

@@ -331,6 +331,7 @@ Preparation arrange_body(const PreparationOptions& options)
     if (has_labelled_cortex(options))
     {
         const imaging::TissueReader reader = read_tissues(options, made.report.notes);
+        model.inner_surface = inner_surface(options, made.report.notes);
         set_labelled_tissue(reader, material_places(model), model.tissue);
         if (model.fem)
         {

@@ -118,6 +118,8 @@ void write_body(const std::filesystem::path& file, const prepare::Preparation& m
     image.vectors["body.centroid"] = model.cloud.centroids;
     store_tissue(model.tissue, "body.", image);
     image.vectors["body.surface_vertex"] = model.surface.vertices;
+    image.vectors["body.inner_vertex"] = model.inner_surface.vertices;
+    image.integers["body.inner_triangle"] = flattened(model.inner_surface.triangles);
     image.scalars["body.volume"] = model.cloud.volumes;
     image.scalars["body.spacing"] = {model.cloud.spacing};
     image.scalars["body.local_spacing"] = model.cloud.local_spacing;
@@ -152,6 +154,10 @@ prepare::Preparation read_body(const std::filesystem::path& file, const config::
     model.cloud.surface_particles.assign(surface_particles.begin(), surface_particles.end());
     model.cloud.surface_triangles = polygons_of<3>(integers("surface_triangle"));
     model.surface = {vectors("surface_vertex"), model.cloud.surface_triangles};
+    if (image.vectors.contains("body.inner_vertex"))
+    {
+        model.inner_surface = {vectors("inner_vertex"), polygons_of<3>(integers("inner_triangle"))};
+    }
     model.tissue = stored_tissue(image, "body.", file);
     const std::vector<double> remesh = scalars("remesh");
     made.report.remesh = {remesh.at(0), remesh.at(1), remesh.at(2)};

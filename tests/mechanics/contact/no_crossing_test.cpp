@@ -41,7 +41,7 @@ struct Loose
         motion.force.assign(loads.begin(), loads.end());
         active += contact.evaluate(motion.x, motion.force).active;
         dynamics::Motion next = motion;
-        const double longest = dynamics::advance(motion, masses, dt, 0.0, next).longest;
+        const double longest = dynamics::advance(motion, masses, dt, {}, next).longest;
         if (contact.stays_apart({next.v, dt, longest}))
         {
             motion = std::move(next);

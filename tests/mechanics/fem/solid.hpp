@@ -93,7 +93,7 @@ bool move(Solid& solid, dynamics::Motion& motion, std::span<const Vec3> loads, c
         }
         const double dt = dynamics::critical_step(cfl, solid.spacing, response.stiffest_rate);
         dynamics::Motion next = motion;
-        const double kinetic = dynamics::advance(motion, solid.mass, dt, 0.0, next).kinetic;
+        const double kinetic = dynamics::advance(motion, solid.mass, dt, {}, next).kinetic;
         motion = std::move(next);
         time += dt;
         if (stop(motion, time, kinetic))
