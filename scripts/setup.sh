@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Installs what the build needs and is not there. Quick when nothing is missing.
 #   scripts/setup.sh          to build, run and test
-#   scripts/setup.sh --tests  also node and Chromium, for tests of reports; where they cannot be had, these tests are skipped
+#   scripts/setup.sh --tests  also node and Chromium, for tests of reports, and with CORTICLE_TEST_SLURM=1 Slurm; where they
+#                             cannot be had, these tests are skipped
 #   scripts/setup.sh --dev    also clang, clang-tidy and clang's OpenMP (make lint, make tsan)
 #   scripts/setup.sh --python also what builds and tests the Python package (make python)
 set -euo pipefail
@@ -11,6 +12,7 @@ packages=(
     g++ cmake make python3 python3-nibabel
     libvtk9-dev xvfb xauth libgl1-mesa-dri
     libcgal-dev libeigen3-dev libgmsh-dev libhdf5-dev zlib1g-dev libssl-dev
+    libnlopt-dev # corticle fit and sensitivity
     libtomlplusplus-dev libcli11-dev libspdlog-dev libfmt-dev nlohmann-json3-dev
     libgtest-dev libgmock-dev libbenchmark-dev clang-format
     libjs-three # report.html
@@ -23,6 +25,8 @@ packages=(
 wished=()
 if [[ ${1:-} == --tests ]]; then
     command -v node >/dev/null || wished+=(nodejs)
+    # Daemons, hence only where asked for: .ci/run does.
+    [[ -n ${CORTICLE_TEST_SLURM:-} ]] && { command -v slurmctld >/dev/null || wished+=(slurm-wlm munge); }
     command -v chromium >/dev/null || command -v chromium-browser >/dev/null || wished+=(chromium)
 fi
 
@@ -35,7 +39,7 @@ if ! command -v dpkg-query >/dev/null; then
         exit 0
     fi
     say "not a Debian or Ubuntu system; install a C++20 compiler, make, python3, CMake 3.25, VTK 9.1, CGAL 5.5, Eigen 3, Gmsh 4.8, HDF5 (C), OpenSSL," \
-        "toml++, CLI11, spdlog, fmt, nlohmann-json, GoogleTest and Google Benchmark, and Xvfb for pictures without a display"
+        "NLopt, toml++, CLI11, spdlog, fmt, nlohmann-json, GoogleTest and Google Benchmark, and Xvfb for pictures without a display"
     exit 1
 fi
 
@@ -63,7 +67,7 @@ apt() { "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o Dpkg::Use-
 apt update </dev/null || say "apt-get update failed; trying with the package lists at hand"
 apt install -y --no-install-recommends "${missing[@]}" </dev/null >&2 || true
 for package in "${wished[@]}"; do
-    apt install -y --no-install-recommends "$package" </dev/null >&2 || say "no $package: tests of reports will be skipped"
+    apt install -y --no-install-recommends "$package" </dev/null >&2 || say "no $package: the tests that need it will be skipped"
 done
 
 mapfile -t missing < <(list_missing)

@@ -6,7 +6,9 @@
 #include "corticle/report/report.hpp"
 #include "corticle/study/comparison/comparison.hpp"
 #include "corticle/study/export.hpp"
+#include "corticle/study/fit/fit.hpp"
 #include "corticle/study/preparation_folder.hpp"
+#include "corticle/study/sensitivity/sensitivity.hpp"
 #include "corticle/study/sweep/sweep.hpp"
 
 #include <filesystem>
@@ -37,6 +39,10 @@ int run_command(RunArguments arguments);
 
 /// Without a folder: runs/<stem of the sweep>.
 int sweep_command(sweep::SweepRequest request);
+
+/// Without a folder: runs/<stem of the fit>.
+int fit_command(fit::FitRequest request);
+int sensitivity_command(sensitivity::SensitivityRequest request);
 
 struct PrepareArguments
 {

@@ -84,6 +84,20 @@ void add_run(CLI::App& app, Verb& chosen)
     verb->callback([arguments, &chosen] { chosen = [arguments] { return run_command(*arguments); }; });
 }
 
+/// Options of verbs that make many runs.
+template <class Request>
+void add_many_runs(CLI::App& verb, Request& request)
+{
+    add_overrides(verb, request.overrides);
+    verb.add_option("--jobs", request.jobs, "Runs side by side (default: as many as there are cores)")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1024));
+    verb.add_option("--threads-per-run", request.threads_per_run, "Threads of each run (default: to fill the cores)")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1024));
+    verb.add_flag("--quiet", request.quiet, "Print nothing but errors");
+}
+
 void add_sweep(CLI::App& app, Verb& chosen)
 {
     auto request = std::make_shared<sweep::SweepRequest>();
@@ -91,22 +105,47 @@ void add_sweep(CLI::App& app, Verb& chosen)
     verb->add_option("sweep", request->file, "Sweep to run")->type_name("SWEEP.toml")->required();
     verb->add_option("--out", request->out, "Folder of the sweep (default: runs/<name of the sweep>)")
         ->type_name("DIR");
-    add_overrides(*verb, request->overrides);
+    add_many_runs(*verb, *request);
     verb->add_option("--only", request->only, "Make only these runs; may be repeated")
         ->type_name("NUMBER|NAME|SECTION.KEY=VALUE")
         ->type_size(1)
         ->allow_extra_args(false);
-    verb->add_option("--jobs", request->jobs, "Runs side by side (default: as many as there are cores)")
-        ->type_name("N")
-        ->check(CLI::Range(1, 1024));
-    verb->add_option("--threads-per-run", request->threads_per_run, "Threads of each run (default: to fill the cores)")
-        ->type_name("N")
-        ->check(CLI::Range(1, 1024));
+    add_choice(*verb, "--engine", request->engine,
+               "local: make the runs here; commands: print the command of each; slurm: submit them as an array job, "
+               "by [engine] of the sweep")
+        ->type_name("ENGINE");
     verb->add_flag("--retry", request->retry, "Go on with runs that failed");
+    verb->add_flag("--gather", request->gather, "Make no runs; write tables and pictures of those that are there");
     verb->add_flag("--cases-only", request->cases_only, "Write the case of each run to DIR/cases and make none");
     verb->add_flag("--list", request->list, "Print the runs and how they stand; write nothing");
-    verb->add_flag("--quiet", request->quiet, "Print nothing but errors");
     verb->callback([request, &chosen] { chosen = [request] { return sweep_command(*request); }; });
+}
+
+void add_study(CLI::App& verb, fit::FitRequest& request)
+{
+    verb.add_option("study", request.file, "What to study; goes on where it stopped")
+        ->type_name("STUDY.toml")
+        ->required();
+    verb.add_option("--out", request.out, "Folder of the study (default: runs/<its name>)")->type_name("DIR");
+    verb.add_option("--runs", request.runs, "Folder of its run folders, which studies may share (default: DIR/runs)")
+        ->type_name("DIR");
+    add_many_runs(verb, request);
+}
+
+void add_fit(CLI::App& app, Verb& chosen)
+{
+    auto request = std::make_shared<fit::FitRequest>();
+    CLI::App* verb = app.add_subcommand("fit", "Find the parameters of a case that explain targets, and how surely");
+    add_study(*verb, *request);
+    verb->callback([request, &chosen] { chosen = [request] { return fit_command(*request); }; });
+}
+
+void add_sensitivity(CLI::App& app, Verb& chosen)
+{
+    auto request = std::make_shared<sensitivity::SensitivityRequest>();
+    CLI::App* verb = app.add_subcommand("sensitivity", "Which parameters of a case matter for measures of its runs");
+    add_study(*verb, *request);
+    verb->callback([request, &chosen] { chosen = [request] { return sensitivity_command(*request); }; });
 }
 
 void add_prepare(CLI::App& app, Verb& chosen)
@@ -273,8 +312,8 @@ int dispatch(int argc, char** argv)
     app.require_subcommand(1);
     app.footer("Exit status: 0 done, 2 bad usage or input, 3 the run failed, 130 interrupted.");
     Verb chosen;
-    for (auto add : {add_run, add_sweep, add_prepare, add_new, add_check, add_schema, add_measure, add_compare,
-                     add_render, add_report, add_export})
+    for (auto add : {add_run, add_sweep, add_fit, add_sensitivity, add_prepare, add_new, add_check, add_schema,
+                     add_measure, add_compare, add_render, add_report, add_export})
     {
         add(app, chosen);
     }
@@ -293,7 +332,8 @@ int dispatch(int argc, char** argv)
         {
             return complain(
                 "unknown verb \"" + std::string(argv[1]) +
-                    "\", expected run, sweep, prepare, new, check, schema, measure, compare, render, report or export",
+                    "\", expected run, sweep, fit, sensitivity, prepare, new, check, schema, measure, compare, render, "
+                    "report or export",
                 exit_status::bad_input);
         }
         return complain(std::string(error.what()) + " (`corticle --help` shows the usage)", exit_status::bad_input);

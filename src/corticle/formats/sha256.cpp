@@ -13,6 +13,21 @@
 namespace corticle::formats
 {
 
+namespace
+{
+
+std::string hexadecimal(std::span<const unsigned char> bytes)
+{
+    std::string text;
+    for (const unsigned char byte : bytes)
+    {
+        text += fmt::format("{:02x}", byte);
+    }
+    return text;
+}
+
+} // namespace
+
 std::string sha256_of_file(const std::filesystem::path& file)
 {
     std::ifstream stream(file, std::ios::binary);
@@ -32,12 +47,15 @@ std::string sha256_of_file(const std::filesystem::path& file)
     {
         return {};
     }
-    std::string text;
-    for (const unsigned char byte : std::span(digest).first(size))
-    {
-        text += fmt::format("{:02x}", byte);
-    }
-    return text;
+    return hexadecimal(std::span(digest).first(size));
+}
+
+std::string sha256_of_text(std::string_view text)
+{
+    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+    unsigned int size = 0;
+    const bool is_made = EVP_Digest(text.data(), text.size(), digest.data(), &size, EVP_sha256(), nullptr) == 1;
+    return hexadecimal(std::span(digest).first(is_made ? size : 0));
 }
 
 } // namespace corticle::formats

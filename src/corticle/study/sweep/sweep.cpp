@@ -10,11 +10,13 @@
 #include "corticle/record/run_reader.hpp"
 #include "corticle/study/interruption.hpp"
 #include "corticle/study/sweep/sweep_jobs.hpp"
+#include "corticle/study/sweep/sweep_submission.hpp"
 #include "corticle/study/sweep/sweep_table.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 namespace corticle::sweep
@@ -77,6 +79,12 @@ void look_at_folders(SweepTable& table, const RunFolders& folders)
         row.run = i;
         row.folder = folders.of_run[i].lexically_relative(table.out);
         row.state = read_state(folders.of_run[i]);
+        const std::string failure = task_failure(table.out, folders.of_run[i].filename().string());
+        if (row.state.status == "pending" && !failure.empty())
+        {
+            row.state.status = "failed";
+            row.state.reason = failure;
+        }
         row.is_kept = row.state.is_finished();
         table.rows.push_back(std::move(row));
     }
@@ -127,6 +135,28 @@ void warn_of_unreached_times(const SweepTable& table)
     }
 }
 
+/// Options of which one leaves nothing for the other to do.
+void require_sensible(const SweepRequest& request)
+{
+    const std::array<std::pair<bool, const char*>, 4> ways{{{request.engine != Engine::local, "--engine"},
+                                                            {request.cases_only, "--cases-only"},
+                                                            {request.gather, "--gather"},
+                                                            {request.list, "--list"}}};
+    const char* first = nullptr;
+    for (const auto& [is_asked, option] : ways)
+    {
+        if (is_asked && first != nullptr)
+        {
+            throw InputError(fmt::format("{} and {} are both given; expected one of them", first, option));
+        }
+        first = is_asked ? option : first;
+    }
+    if (request.jobs > 0 && request.engine == Engine::commands)
+    {
+        throw InputError("--jobs is given, but --engine commands makes no runs; expected it of what runs the commands");
+    }
+}
+
 /// Writes the cases to be run and returns the runs to be made; runs that share a folder are made once.
 std::vector<SweepJob> prepare_jobs(const SweepTable& table, const SweepRequest& request,
                                    const std::vector<bool>& is_chosen)
@@ -143,7 +173,7 @@ std::vector<SweepJob> prepare_jobs(const SweepTable& table, const SweepRequest& 
             continue;
         }
         formats::write_text_atomically(case_file, run.case_text);
-        if (is_to_do && is_chosen[row.run] && !request.cases_only)
+        if (is_to_do && is_chosen[row.run] && !request.cases_only && !request.gather)
         {
             jobs.push_back({case_file, table.out / row.folder, relative_cost(run.options), run.options.time.start,
                             run.options.time.end, request.retry});
@@ -171,6 +201,67 @@ void print_end(const SweepTable& table, const study::Pictures& pictures)
     }
 }
 
+/// The program by a name that other processes can use.
+std::string program_path(const SweepRequest& request)
+{
+    return fs::canonical(request.command).string();
+}
+
+/// The command that gathers this sweep.
+std::vector<std::string> gathering_words(const SweepTable& table, const SweepRequest& request)
+{
+    std::vector<std::string> words{program_path(request), "sweep",   fs::absolute(request.file).string(), "--out",
+                                   table.out.string(),    "--gather"};
+    for (const std::string& text : request.overrides)
+    {
+        words.insert(words.end(), {"--set", text});
+    }
+    return words;
+}
+
+void submit_jobs(const SweepTable& table, std::span<const SweepJob> jobs, const SweepRequest& request)
+{
+    Submission submission{table.out,    request.file.stem().string(),   table.sweep.engine, program_path(request),
+                          request.jobs, gathering_words(table, request)};
+    const auto is_odd = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; };
+    std::ranges::replace_if(submission.name, is_odd, '_');
+    submission.engine.cpus = request.threads_per_run > 0 ? request.threads_per_run : submission.engine.cpus;
+    const SubmittedJobs submitted = submit(submission, {jobs.begin(), jobs.end()});
+    if (request.quiet)
+    {
+        return;
+    }
+    const std::string queued =
+        submitted.queued > 0 ? fmt::format("{} runs are in the queue since an earlier call; ", submitted.queued) : "";
+    show(stdout, submitted.runs == 0
+                     ? queued + "nothing else to submit\n"
+                     : fmt::format("{}submitted {} runs as array job {}, and job {} that gathers them; the same "
+                                   "command again submits what is unfinished then\n",
+                                   queued, submitted.runs, submitted.array, submitted.gathering));
+}
+
+/// Prints or submits the runs; false where they are to be made here.
+bool hand_over(const SweepTable& table, std::span<const SweepJob> jobs, const SweepRequest& request)
+{
+    if (request.engine == Engine::slurm)
+    {
+        submit_jobs(table, jobs, request);
+    }
+    else if (request.engine == Engine::commands)
+    {
+        for (const SweepJob& job : jobs)
+        {
+            std::vector<std::string> words = run_words(program_path(request), job);
+            if (request.threads_per_run > 0)
+            {
+                words.insert(words.end(), {"--threads", std::to_string(request.threads_per_run)});
+            }
+            fmt::print("{}\n", shell_line(words));
+        }
+    }
+    return request.engine != Engine::local;
+}
+
 /// Makes the runs; the tables are written anew after each. False when interrupted.
 bool make_all(SweepTable& table, std::span<const SweepJob> jobs, const SweepRequest& request)
 {
@@ -190,11 +281,10 @@ bool make_all(SweepTable& table, std::span<const SweepJob> jobs, const SweepRequ
     return make_runs(jobs, {request.command, request.jobs, request.threads_per_run, done, request.quiet}, ended);
 }
 
-/// Looks at what is there, and makes what is not. False when interrupted.
-bool make_missing(SweepTable& table, const SweepRequest& request, const std::vector<bool>& is_chosen,
-                  record::ResultFolder& folder)
+/// Looks at what is there and writes cases and tables; the runs that are to be made.
+std::vector<SweepJob> begin(SweepTable& table, const SweepRequest& request, const std::vector<bool>& is_chosen,
+                            record::ResultFolder& folder)
 {
-    const study::InterruptionGuard guard;
     const RunFolders folders = assign_folders(table.out, table.runs);
     look_at_folders(table, folders);
     folder.require_free(written_files(table, table.sweep.has_pictures));
@@ -207,13 +297,40 @@ bool make_missing(SweepTable& table, const SweepRequest& request, const std::vec
     }
     if (!request.quiet)
     {
-        show(stdout, outline(table, is_chosen, folders.unused));
+        show(request.engine == Engine::commands ? stderr : stdout, outline(table, is_chosen, folders.unused));
     }
-    const std::vector<SweepJob> jobs = prepare_jobs(table, request, is_chosen);
+    std::vector<SweepJob> jobs = prepare_jobs(table, request, is_chosen);
     write_tables(table, {});
-    const bool is_made = make_all(table, jobs, request);
-    write_tables(table, {});
-    return is_made;
+    return jobs;
+}
+
+/// Makes the runs that are missing, or hands them over; how that ended, unless all are to be gathered now.
+std::optional<model::RunStatus> make_missing(SweepTable& table, const SweepRequest& request,
+                                             const std::vector<bool>& is_chosen, record::ResultFolder& folder)
+{
+    const study::InterruptionGuard guard;
+    const std::vector<SweepJob> jobs = begin(table, request, is_chosen, folder);
+    if (request.cases_only || (!jobs.empty() && hand_over(table, jobs, request)))
+    {
+        return model::RunStatus::completed;
+    }
+    if (!make_all(table, jobs, request))
+    {
+        write_tables(table, {});
+        return model::RunStatus::interrupted;
+    }
+    return std::nullopt;
+}
+
+void finish(SweepTable& table, const SweepRequest& request, record::ResultFolder& folder)
+{
+    compare_to_references(table);
+    const study::Pictures pictures = draw_sweep(table, folder);
+    write_tables(table, pictures);
+    if (!request.quiet && request.engine != Engine::commands)
+    {
+        print_end(table, pictures);
+    }
 }
 
 void print_standing(SweepTable& table, const std::vector<bool>& is_chosen)
@@ -232,6 +349,7 @@ void print_standing(SweepTable& table, const std::vector<bool>& is_chosen)
 
 model::RunStatus sweep(const SweepRequest& request)
 {
+    require_sensible(request);
     SweepTable table = plan_sweep(request);
     const std::vector<bool> is_chosen = chosen_runs(table.sweep, table.runs, request.only);
     require_no_run(table.out);
@@ -245,21 +363,11 @@ model::RunStatus sweep(const SweepRequest& request)
         return model::RunStatus::completed;
     }
     record::ResultFolder folder(table.out, "sweep");
-    if (!make_missing(table, request, is_chosen, folder))
+    if (const auto ended = make_missing(table, request, is_chosen, folder))
     {
-        return model::RunStatus::interrupted;
+        return *ended;
     }
-    if (request.cases_only)
-    {
-        return model::RunStatus::completed;
-    }
-    compare_to_references(table);
-    const study::Pictures pictures = draw_sweep(table, folder);
-    write_tables(table, pictures);
-    if (!request.quiet)
-    {
-        print_end(table, pictures);
-    }
+    finish(table, request, folder);
     return model::RunStatus::completed;
 }
 

@@ -27,42 +27,6 @@ constexpr std::array default_measures{"particles", "neighbours_mean", "area_rati
                                       "gi_sphere", "onset_t",         "J_min",      "J_max"};
 constexpr std::array default_plots{"area_ratio", "gi_hull", "gi_sphere"};
 
-/// Leaves of tables within tables, as "section.key".
-void collect_keys(const config::TomlNode& node, const std::string& prefix,
-                  std::vector<std::pair<std::string, const config::TomlNode*>>& found)
-{
-    for (const config::TomlNode& child : node.children)
-    {
-        const std::string key = prefix.empty() ? child.key : prefix + "." + child.key;
-        if (child.kind == config::TomlNode::Kind::table)
-        {
-            collect_keys(child, key, found);
-        }
-        else
-        {
-            found.emplace_back(key, &child);
-        }
-    }
-}
-
-/// Keys of the case with their values, checked: of [set] and of a reference.
-std::vector<std::pair<std::string, config::Value>> case_values(const config::TomlNode& node, const SweepPlace& place)
-{
-    if (node.kind != config::TomlNode::Kind::table)
-    {
-        throw InputError(fmt::format("{} ({}): got {}, expected a table of keys of the case",
-                                     config::printable(node.key), place.at(node), config::describe(node.value)));
-    }
-    std::vector<std::pair<std::string, const config::TomlNode*>> found;
-    collect_keys(node, "", found);
-    std::vector<std::pair<std::string, config::Value>> values;
-    for (const auto& [key, leaf] : found)
-    {
-        values.emplace_back(key, sweep_value(key, leaf->value, place.at(*leaf), place));
-    }
-    return values;
-}
-
 SweepReference read_reference(const config::TomlNode& node, const SweepPlace& place)
 {
     SweepReference reference;
@@ -251,6 +215,10 @@ void SweepReader::read(const config::TomlNode& node)
     {
         sweep_.compare_t = read_times(node, place_);
     }
+    else if (node.key == "engine")
+    {
+        sweep_.engine = read_engine(node, place_);
+    }
     else if (node.key == "line")
     {
         for (const config::TomlNode& child : tables_of(node, place_))
@@ -262,7 +230,7 @@ void SweepReader::read(const config::TomlNode& node)
     {
         throw InputError(
             fmt::format("unknown key {} ({}); expected base, title, set, axis, reference, measures, plots, "
-                        "pictures, compare_t or line",
+                        "pictures, compare_t, line or engine",
                         config::printable(node.key), place_.at(node)));
     }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "corticle/config/value.hpp"
+#include "corticle/study/sweep/sweep_engine.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -75,12 +76,13 @@ struct SweepFile
     std::vector<double> compare_t; ///< J is compared at the last common output time not after each; empty: the last
     std::vector<SweepLine> lines;
     bool has_pictures = true;
+    EngineOptions engine; ///< of array jobs
 };
 
 inline constexpr std::size_t most_sweep_runs = 10000;
 
 /// Reads a sweep (TOML): base, title, [set], [[axis]], reference, measures, plots, pictures,
-/// compare_t, [[line]]. Every key of
+/// compare_t, [[line]], [engine]. Every key of
 /// the case, type and range is checked, but not yet whether the values of a run go together.
 /// @throws InputError, one line: what, where (file and line), got, expected
 SweepFile read_sweep(const std::filesystem::path& file);

@@ -163,10 +163,9 @@ void Crew::start(std::size_t job, int threads)
     const SweepJob& one = jobs_[job];
     try
     {
-        running_.push_back(
-            {job, threads,
-             CommandProcess({options_.command, "run", one.case_file.string(), "--out", one.folder.string(), "--resume",
-                             "--quiet", "--threads", std::to_string(threads)})});
+        std::vector<std::string> words = run_words(options_.command, one);
+        words.insert(words.end(), {"--threads", std::to_string(threads)});
+        running_.push_back({job, threads, CommandProcess(words)});
     }
     catch (const RunError& error)
     {
@@ -214,6 +213,11 @@ void Crew::end_all()
 }
 
 } // namespace
+
+std::vector<std::string> run_words(const std::string& command, const SweepJob& job)
+{
+    return {command, "run", job.case_file.string(), "--out", job.folder.string(), "--resume", "--quiet"};
+}
 
 double relative_cost(const config::Options& options)
 {

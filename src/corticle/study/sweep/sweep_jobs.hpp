@@ -19,6 +19,9 @@ struct SweepJob
     bool retry = false; ///< although it failed before
 };
 
+/// The command that makes a run, or goes on with it.
+std::vector<std::string> run_words(const std::string& command, const SweepJob& job);
+
 /// How runs are made side by side.
 struct JobOptions
 {

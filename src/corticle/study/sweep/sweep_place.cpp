@@ -11,6 +11,29 @@
 namespace corticle::sweep
 {
 
+namespace
+{
+
+/// Leaves of tables within tables, as "section.key".
+void collect_keys(const config::TomlNode& node, const std::string& prefix,
+                  std::vector<std::pair<std::string, const config::TomlNode*>>& found)
+{
+    for (const config::TomlNode& child : node.children)
+    {
+        const std::string key = prefix.empty() ? child.key : prefix + "." + child.key;
+        if (child.kind == config::TomlNode::Kind::table)
+        {
+            collect_keys(child, key, found);
+        }
+        else
+        {
+            found.emplace_back(key, &child);
+        }
+    }
+}
+
+} // namespace
+
 std::string SweepPlace::at(const config::TomlNode& node) const
 {
     return fmt::format("{}:{}", config::printable(name), node.line);
@@ -64,6 +87,23 @@ config::Value sweep_value(const std::string& key, const config::Value& value, co
         return std::filesystem::absolute(place.directory / *text).lexically_normal().string();
     }
     return typed;
+}
+
+std::vector<std::pair<std::string, config::Value>> case_values(const config::TomlNode& node, const SweepPlace& place)
+{
+    if (node.kind != config::TomlNode::Kind::table)
+    {
+        throw InputError(fmt::format("{} ({}): got {}, expected a table of keys of the case",
+                                     config::printable(node.key), place.at(node), config::describe(node.value)));
+    }
+    std::vector<std::pair<std::string, const config::TomlNode*>> found;
+    collect_keys(node, "", found);
+    std::vector<std::pair<std::string, config::Value>> values;
+    for (const auto& [key, leaf] : found)
+    {
+        values.emplace_back(key, sweep_value(key, leaf->value, place.at(*leaf), place));
+    }
+    return values;
 }
 
 } // namespace corticle::sweep

@@ -4,6 +4,9 @@
 #include "corticle/config/toml_document.hpp"
 
 #include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
 
 // What the parts of a sweep file have in common.
 
@@ -32,5 +35,9 @@ double sweep_number(const config::TomlNode& node, const SweepPlace& place, std::
 /// @throws InputError
 config::Value sweep_value(const std::string& key, const config::Value& value, const std::string& where,
                           const SweepPlace& place);
+
+/// Keys of the case with their values, checked: of [set] and of a reference.
+/// @throws InputError
+std::vector<std::pair<std::string, config::Value>> case_values(const config::TomlNode& node, const SweepPlace& place);
 
 } // namespace corticle::sweep
