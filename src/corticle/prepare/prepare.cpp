@@ -12,7 +12,9 @@
 #include "corticle/prepare/body_maps.hpp"
 #include "corticle/prepare/body_source.hpp"
 #include "corticle/prepare/body_thickness.hpp"
+#include "corticle/prepare/fibres.hpp"
 #include "corticle/prepare/labelled_tissue.hpp"
+#include "corticle/prepare/patterning.hpp"
 #include "corticle/prepare/thesis/ellipsoid.hpp"
 #include "corticle/prepare/thesis_choices.hpp"
 
@@ -54,6 +56,7 @@ BodyMaps set_maps(const MapOptions& options, const TriangleMesh& map_surface, st
 {
     BodyMaps maps = read_body_maps(options, map_surface, places);
     tissue.mapped_rate = std::move(maps.growth);
+    tissue.growth_maps.values = std::move(maps.growth_series);
     tissue.growth_onset = std::move(maps.onset);
     tissue.growth_rate = std::move(maps.rate);
     tissue.thickness = std::move(maps.thickness);
@@ -175,6 +178,8 @@ void set_regional_rate(const PreparationOptions& options, double thickness, std:
                        material::TissueFields& tissue)
 {
     tissue.regional_rate = tissue.mapped_rate;
+    set_growth_times(options, tissue.growth_maps);
+    apply_protomap(options.map, places, tissue);
     const double amplitude = imperfection_amplitude(options);
     if (amplitude > 0.0)
     {
@@ -347,12 +352,14 @@ void connect_body(const PreparationOptions& options, Preparation& made)
     const double mean = mean_thickness(options, model);
     set_regional_rate(options, mean, material_places(model), model.tissue);
     complete_tissue(options, X, material_places(model), model.cloud.volumes, model.tissue);
+    set_fibres(options, model.cloud, material_places(model), model.tissue);
     if (model.fem)
     {
         const fem::TetElements& elements = model.fem->elements;
         const std::vector<Vec3> places = fem::centroids(X, elements.tets);
         set_regional_rate(options, mean, places, model.fem->tissue);
         complete_tissue(options, X, places, elements.volume, model.fem->tissue);
+        set_fibres(options, model.cloud, places, model.fem->tissue);
     }
     else
     {

@@ -69,8 +69,10 @@ CORTICLE_INLINE material::WideTissue tissue_of(const Chunk& chunk, const WideGro
                  : material::any_tissue(chunk.tissue, chunk.t, group, F);
 }
 
-/// Parts of the volumes of the chunk's nodes. The first for growth that Tissue::grows_plainly.
+/// Parts of the volumes of the chunk's nodes. The first for growth that Tissue::grows_plainly, the last for tissue with
+/// a history, whose growth by stress it sets.
 void plain_volumes(const Chunk& chunk, const Vec3* x, NodalVolume* parts);
 void general_volumes(const Chunk& chunk, const Vec3* x, NodalVolume* parts);
+void remodelled_volumes(const Chunk& chunk, const Vec3* x, NodalVolume* parts);
 
 } // namespace corticle::fem
