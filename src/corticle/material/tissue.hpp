@@ -102,7 +102,9 @@ struct Tissue
 
     /// Whether growth is g = 1 + alpha_t theta m t in the reference planes and nothing else: what point() and
     /// growth_normal() then give needs no more than material_point and the normals.
-    bool grows_plainly() const;
+    bool grows_plainly() const { return remodelling == nullptr && has_plain_points(); }
+    /// The same but for growth by stress.
+    bool has_plain_points() const;
 
     /// Moduli and growth of particle i at t, but for growth by stress.
     MaterialPoint point(std::size_t i, double t) const

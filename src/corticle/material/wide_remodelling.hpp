@@ -26,6 +26,12 @@ struct RemodellingLaw : NeoHookean
 template <class Law>
 concept HasHistory = std::same_as<Law, RemodellingLaw>;
 
+/// Tissue with a history, but for growth by stress. @param F  of every point
+CORTICLE_INLINE WideTissue unstressed_tissue(const Tissue& tissue, double t, const WideGroup& group, const WideMat3& F)
+{
+    return tissue.has_plain_points() ? plain_tissue(tissue, t, group) : any_tissue(tissue, t, group, F);
+}
+
 /// The law at eight points.
 struct WideRemodelled : BasicRemodelled<WideLanes>
 {

@@ -178,7 +178,7 @@ CORTICLE_EVERY_ISA void sum_forces(const Law& law, const Chunk& chunk, const Vec
         WideEdges edge;
         gather_edges(block, local, edge);
         const WideMat3 F = gradients(block, edge);
-        material::WideTissue tissue = tissue_of<plain>(chunk, group, F);
+        material::WideTissue tissue = tissue_of<plain, material::HasHistory<Law>>(chunk, group, F);
         const auto& law_here = material::law_at(law, chunk.tissue, group, F, tissue);
         const WideVec3 values = (gather_corner(block, local_values, 0) + gather_corner(block, local_values, 1)) +
                                 (gather_corner(block, local_values, 2) + gather_corner(block, local_values, 3));

@@ -24,7 +24,7 @@ CORTICLE_INLINE void sum_volumes(const Chunk& chunk, const Vec3* x, NodalVolume*
         const WideGroup group = group_of(chunk, first);
         WideEdges edge;
         gather_edges(block, local, edge);
-        auto point = tissue_of<plain>(chunk, group, WideMat3::identity()).point; // whatever the normal
+        auto point = tissue_of<plain, remodels>(chunk, group, WideMat3::identity()).point; // whatever the normal
         if constexpr (remodels)
         {
             const WideLanes J = determinant(gradients(block, edge));

@@ -101,7 +101,9 @@ CORTICLE_INLINE void respond_in_lanes(const Law& law, const Block& block, const 
     const ParticleDeformation<WideLanes> deformation = particle_deformation(fit.gradient(coefficients));
     note_volumes(group, deformation.J, total);
     material::WideTissue tissue = plain ? material::plain_tissue(in.tissue, in.t, group)
-                                        : material::any_tissue(in.tissue, in.t, group, deformation.F);
+                                  : material::HasHistory<Law>
+                                      ? material::unstressed_tissue(in.tissue, in.t, group, deformation.F)
+                                      : material::any_tissue(in.tissue, in.t, group, deformation.F);
     const auto& local = material::law_at(law, in.tissue, group, deformation.F, tissue);
     const ParticleResponse<WideLanes> particle =
         particle_response<plain>(local, tissue.point, tissue.normal, group.gather(particles.volume.data()),
