@@ -44,7 +44,7 @@ void tet_forces(benchmark::State& state)
     const model::Model model = sphere_of_tets(state.range(0), options);
     model::State start;
     start.elements = material::start_tissue(model.fem->tissue, options.tissue, {}, 0.0);
-    const auto solver = model::make_discretization(model, options, start);
+    const auto solver = model::make_discretization(model, options, start, nullptr);
     std::vector<Vec3> forces(model.cloud.positions.size());
     for (auto _ : state)
     {

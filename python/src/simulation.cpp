@@ -194,8 +194,8 @@ py::array Simulation::stress()
     return array_of(look(
         [](const model::Simulation& simulation)
         {
-            return of_particles<Mat3>(simulation, [&](std::size_t i, const Mat3& F)
-                                      { return model::cauchy_stress_at(simulation, i, F); });
+            const model::NodeStress stresses(simulation);
+            return of_particles<Mat3>(simulation, [&](std::size_t i, const Mat3& F) { return stresses.cauchy(i, F); });
         }));
 }
 

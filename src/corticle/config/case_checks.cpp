@@ -3,7 +3,9 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/config/parameters.hpp"
+#include "corticle/config/remodelling_keys.hpp"
 #include "corticle/config/tissue_keys.hpp"
+#include "corticle/prepare/body_maps.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -117,6 +119,24 @@ void check_box(const Options& options, const Place& place)
     refuse("geometry.volumes", geometry.volumes != prepare::VolumeRule::cells, "\"cells\"");
 }
 
+/// Growth maps in time: as many arrays as times.
+void check_growth_times(const prepare::MapOptions& map, const Place& place)
+{
+    if (map.growth_times.empty())
+    {
+        return;
+    }
+    const std::size_t arrays = prepare::growth_arrays(map).size();
+    if (map.growth_file.empty() || arrays != map.growth_times.size())
+    {
+        throw InputError(fmt::format("map.growth_times{} has {} times: got {} names in map.growth_array{}{}, expected "
+                                     "map.growth_file with a name for each time",
+                                     place("map.growth_times"), map.growth_times.size(), arrays,
+                                     place("map.growth_array"),
+                                     map.growth_file.empty() ? " and no map.growth_file" : ""));
+    }
+}
+
 void check_maps(const prepare::MapOptions& map, const Place& place)
 {
     if (map.region_file.empty() != map.region_table.empty())
@@ -125,6 +145,16 @@ void check_maps(const prepare::MapOptions& map, const Place& place)
                                                               : std::pair("map.region_file", "map.region_table");
         throw InputError(
             fmt::format("{}{} is given without {}: expected both or neither", given, place(given), missing));
+    }
+    check_growth_times(map, place);
+    for (const std::string_view key : {"map.protomap_wavelength_mm", "map.protomap_seed"})
+    {
+        if (map.protomap_amplitude == 0.0 && !place(key).empty())
+        {
+            throw InputError(fmt::format("{}{} is given, but map.protomap_amplitude{} is 0: expected a number above 0, "
+                                         "or no such key",
+                                         key, place(key), place("map.protomap_amplitude")));
+        }
     }
 }
 
@@ -254,6 +284,7 @@ void check_case(const Options& options, const Place& place)
     check_particle_count(options.geometry, place);
     check_tissue(options, place);
     check_tissue_keys(options, place);
+    check_remodelling(options, place);
     check_imperfection(options.imperfection, place);
     check_solver(options, place);
 }

@@ -59,6 +59,11 @@ inline std::vector<std::string> names<material::NormalFrame>()
     return {"reference", "current"};
 }
 template <>
+inline std::vector<std::string> names<material::FibreField>()
+{
+    return {"none", "radial", "depth", "file"};
+}
+template <>
 inline std::vector<std::string> names<material::GestationalClock>()
 {
     return {"none", "wang", "cubic"};

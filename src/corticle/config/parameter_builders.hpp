@@ -133,6 +133,14 @@ inline Parameter with_example(Parameter parameter, std::string example)
     return parameter;
 }
 
+/// A key that says nothing where a condition does not hold.
+inline Parameter where(bool (*holds)(const Options&), Parameter parameter)
+{
+    parameter.get = [holds, get = parameter.get](const Options& options) -> Value
+    { return holds(options) ? get(options) : Unsupported{}; };
+    return parameter;
+}
+
 /// A growth time that weeks replace where there is a clock.
 inline Parameter without_clock(Parameter parameter)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/config/boundary_parameters.hpp"
 #include "corticle/config/parameter_builders.hpp"
+#include "corticle/config/remodelling_parameters.hpp"
 #include "corticle/config/tissue_parameters.hpp"
 
 #include <fmt/format.h>
@@ -97,6 +98,11 @@ std::vector<Parameter> geometry_parameters()
     };
 }
 
+bool has_protomap(const Options& options)
+{
+    return options.map.protomap_amplitude > 0.0;
+}
+
 std::vector<Parameter> map_parameters()
 {
     return {
@@ -104,8 +110,13 @@ std::vector<Parameter> map_parameters()
              "Regional growth, a factor of alpha_t, at the vertices of the input surface: GIFTI, VTP, FreeSurfer curv "
              "or CSV.",
              CORTICLE_MEMBER(map.growth_file)),
-        parameter("map.growth_array", "", {}, "Which array of that file; empty: its first.",
+        parameter("map.growth_array", "", {},
+                  "Which array of that file; empty: its first. With growth_times: one for each, with commas.",
                   CORTICLE_MEMBER(map.growth_array)),
+        parameter("map.growth_times", "t, or weeks with a clock", between(0.0, 100.0),
+                  "Times of several arrays, increasing: relative rates of growth, interpolated in between; empty: one "
+                  "array for all times.",
+                  CORTICLE_MEMBER(map.growth_times)),
         path("map.thickness_file", "Cortical thickness at t = 0 [mm] at the vertices of the input surface.",
              CORTICLE_MEMBER(map.thickness_file)),
         parameter("map.thickness_array", "", {}, "Which array of that file; empty: its first.",
@@ -124,6 +135,13 @@ std::vector<Parameter> map_parameters()
              "CSV with columns label and growth, the factor of alpha_t in each region; with columns onset and rate "
              "these are by region too.",
              CORTICLE_MEMBER(map.region_table)),
+        parameter("map.protomap_amplitude", "", between(0.0, 2.0),
+                  "Standard deviation of a smooth random map by which regional growth is multiplied, not below 0.",
+                  CORTICLE_MEMBER(map.protomap_amplitude)),
+        where(has_protomap, parameter("map.protomap_wavelength_mm", "mm", above(0.0, 1000.0), "Its wavelength.",
+                                      CORTICLE_MEMBER(map.protomap_wavelength_mm))),
+        where(has_protomap,
+              parameter("map.protomap_seed", "", at_least(0.0), "Its seed.", CORTICLE_MEMBER(map.protomap_seed))),
     };
 }
 
@@ -271,9 +289,9 @@ std::vector<Parameter> other_parameters()
 std::vector<Parameter> all_parameters()
 {
     std::vector<Parameter> all;
-    for (auto part :
-         {geometry_parameters, map_parameters, tissue_parameters, growth_parameters, imperfection_parameters,
-          solver_parameters, thesis_parameters, other_parameters, boundary_parameters, support_parameters})
+    for (auto part : {geometry_parameters, map_parameters, tissue_parameters, growth_parameters, remodelling_parameters,
+                      imperfection_parameters, solver_parameters, thesis_parameters, other_parameters,
+                      boundary_parameters, support_parameters})
     {
         std::ranges::move(part(), std::back_inserter(all));
     }

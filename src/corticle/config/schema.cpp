@@ -2,6 +2,7 @@
 #include "corticle/config/case_file.hpp"
 #include "corticle/config/case_inputs.hpp"
 #include "corticle/config/parameters.hpp"
+#include "corticle/config/remodelling_parameters.hpp"
 #include "corticle/config/starter.hpp"
 
 #include <fmt/format.h>
@@ -42,13 +43,20 @@ std::string range_column(const Parameter& parameter, std::string_view separator)
                                           : parameter.range.text();
 }
 
-/// The default as TOML; of a key of the thesis's formulation the one it has there. Empty where there is none.
+/// The default as TOML; of a key of the thesis's formulation, and of one that says nothing by default, the one it has
+/// where it says something. Empty where there is none.
 std::string default_text(const Parameter& parameter)
 {
     Options options = default_options();
     if (parameter.section() == "thesis")
     {
         options.formulation = thesis::Formulation::thesis;
+    }
+    if (std::holds_alternative<Unsupported>(parameter.get(options)))
+    {
+        Options with_history = options;
+        use_remodelling(with_history);
+        return toml_text(parameter.get(with_history));
     }
     return toml_text(parameter.get(options));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "corticle/material/remodelling_options.hpp"
 #include "corticle/material/tissue_kind.hpp"
 
 #include <optional>
@@ -74,7 +75,8 @@ struct TissueOptions
     double growth_onset = 0.0; ///< [t]
     double growth_rate = 1.0;  ///< [1/t]
     NormalFrame normal = NormalFrame::reference;
-    double barrier_J = 0.3; ///< elastic volume ratio below which the barrier acts; 0: none
+    double barrier_J = 0.3;         ///< elastic volume ratio below which the barrier acts; 0: none
+    RemodellingOptions remodelling; ///< keys under [fibres], [relaxation] and [stress_growth]
 };
 
 } // namespace corticle::material

@@ -42,12 +42,26 @@ CORTICLE_INLINE Real stiffening_ratio(const BasicMaterialPoint<Real>& point)
     }
 }
 
+/// K + 4/3 mu, and what the law adds to it.
+template <RealLike Real, Material<Real> Law>
+CORTICLE_INLINE Real longitudinal_modulus(const Law& law, const BasicMaterialPoint<Real>& point)
+{
+    if constexpr (requires { law.added_stiffness(point.shear_modulus); })
+    {
+        return longitudinal_modulus(point) + law.added_stiffness(point.shear_modulus);
+    }
+    else
+    {
+        return longitudinal_modulus(point);
+    }
+}
+
 /// Speed of pressure waves at density 1 in the grown tissue, in the reference: sqrt((K + 4/3 mu) ratio² g_r).
-template <bool plain = false, RealLike Real>
-CORTICLE_INLINE Real grown_wave_speed(const BasicMaterialPoint<Real>& point)
+template <bool plain = false, RealLike Real, Material<Real> Law>
+CORTICLE_INLINE Real grown_wave_speed(const Law& law, const BasicMaterialPoint<Real>& point)
 {
     return stiffening_ratio<plain>(point) *
-           square_root<Real>(normal_growth<plain>(point) * longitudinal_modulus(point));
+           square_root<Real>(normal_growth<plain>(point) * longitudinal_modulus(law, point));
 }
 
 /// F_e = F G^-1.
@@ -130,7 +144,7 @@ CORTICLE_INLINE BasicResponse<Real> respond(const Law& law, const BasicMaterialP
     return {J_g,
             elastic.deviatoric_energy + elastic.volumetric_energy,
             growth_power<plain>(point, normal, e.F_e, elastic),
-            grown_wave_speed<plain>(point),
+            grown_wave_speed<plain>(law, point),
             e.J_e,
             J_g * (elastic.stress * e.inverse_G)};
 }

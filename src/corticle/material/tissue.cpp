@@ -121,7 +121,7 @@ MaterialPoint Tissue::labelled_point(std::size_t i, double t) const
     const Moduli cortex_moduli = moduli_of(options, TissueKind::cortex);
     const Moduli other_moduli = moduli_of(options, kind);
     const double theta = state.theta[i];
-    const double m = fields.regional_rate[i];
+    const auto [m, m_rate] = regional_rate(i, t);
     const auto mixed = [&](double a, double b) { return theta * a + (1.0 - theta) * b; };
     MaterialPoint point{1.0 + m * (mixed(cortex.tangential, other.tangential) - 1.0),
                         1.0 + m * (mixed(cortex.radial, other.radial) - 1.0),
@@ -129,6 +129,8 @@ MaterialPoint Tissue::labelled_point(std::size_t i, double t) const
                         m * mixed(cortex.radial_rate, other.radial_rate),
                         mixed(cortex_moduli.shear, other_moduli.shear),
                         mixed(cortex_moduli.bulk, other_moduli.bulk)};
+    point.growth_rate += m_rate * (mixed(cortex.tangential, other.tangential) - 1.0);
+    point.radial_growth_rate += m_rate * (mixed(cortex.radial, other.radial) - 1.0);
     if (!state.theta_rate.empty())
     {
         const double rate = state.theta_rate[i];
@@ -140,12 +142,12 @@ MaterialPoint Tissue::labelled_point(std::size_t i, double t) const
     return point;
 }
 
-bool Tissue::grows_plainly() const
+bool Tissue::has_plain_points() const
 {
     return !is_by_tissue() && options.alpha_r == 0.0 && options.alpha_white == 0.0 &&
            options.growth_law == GrowthLaw::linear && options.growth_onset == 0.0 && options.growth_rate == 1.0 &&
            options.normal == NormalFrame::reference && fields.growth_onset.empty() && fields.growth_rate.empty() &&
-           state.theta_rate.empty() && state.past.empty();
+           fields.growth_maps.times.empty() && state.theta_rate.empty() && state.past.empty();
 }
 
 double wave_speed(const TissueOptions& options)

@@ -14,11 +14,31 @@
 namespace corticle::material
 {
 
+struct RemodellingView;
+
 /// Growth that the body as imaged has behind it.
 struct PastGrowth
 {
     double tangential; ///< g_t at the start [-]
     double radial;     ///< g_r at the start [-]
+};
+
+/// Maps of the growth that goes on at some times; between them it is interpolated, before and after them constant.
+struct GrowthMaps
+{
+    std::vector<double> times;               ///< [t], increasing
+    std::vector<std::vector<double>> values; ///< of every point, one vector for each time [-]
+    double from = 0.0;                       ///< t from which maps count: where growth begins
+
+    /// A number and its rate.
+    struct Mean
+    {
+        double value;
+        double rate; ///< per t
+    };
+    /// Mean of the maps from the beginning of growth to t, so that growth at a constant rate times this mean is what
+    /// the maps add up to.
+    Mean mean(std::size_t i, double t) const;
 };
 
 /// What the tissue is at every material point; constant. Arrays that are empty cost nothing: the one value of the
@@ -30,6 +50,7 @@ struct TissueFields
     std::vector<Vec3> normal;           ///< n, unit, reference
     std::vector<double> mapped_rate;    ///< m as maps give it [-]
     std::vector<double> regional_rate;  ///< m, the imperfection included [-]
+    GrowthMaps growth_maps;             ///< by which m is multiplied, or none
     std::vector<double> growth_onset;   ///< [t], or empty
     std::vector<double> growth_rate;    ///< [1/t], or empty
     std::vector<double> thickness;      ///< H_i of the closest surface point [mm], or empty
@@ -39,6 +60,9 @@ struct TissueFields
     std::vector<TissueKind> kind;       ///< tissue of what is not cortex, or empty: white matter, with the growth of
                                         ///< the keys and one K / mu
     std::optional<TissueGrowth> growth; ///< by week, or none: by the keys; needs kind
+    std::vector<Vec3> fibre;            ///< direction of the fibres, unit, reference, or empty
+    std::vector<double> white_share;    ///< of white matter at the start, which fibres run through and which grows by
+                                        ///< stress [-], or empty where nothing asks for it
 };
 
 /// What of the tissue goes with growth time; follows from fields, options and t.
@@ -74,12 +98,15 @@ struct Tissue
     const TissueOptions& options;
     const TissueFields& fields;
     const TissueState& state;
+    const RemodellingView* remodelling = nullptr; ///< of tissue with a history
 
     /// Whether growth is g = 1 + alpha_t theta m t in the reference planes and nothing else: what point() and
     /// growth_normal() then give needs no more than material_point and the normals.
-    bool grows_plainly() const;
+    bool grows_plainly() const { return remodelling == nullptr && has_plain_points(); }
+    /// The same but for growth by stress.
+    bool has_plain_points() const;
 
-    /// Moduli and growth of particle i at t.
+    /// Moduli and growth of particle i at t, but for growth by stress.
     MaterialPoint point(std::size_t i, double t) const
     {
         MaterialPoint point = is_by_tissue() ? labelled_point(i, t) : point_by_theta(i, t);
@@ -109,21 +136,39 @@ struct Tissue
         return {options.growth_law, fields.growth_onset.empty() ? options.growth_onset : fields.growth_onset[i],
                 fields.growth_rate.empty() ? options.growth_rate : fields.growth_rate[i]};
     }
+    /// m, and how maps in time change it.
+    GrowthMaps::Mean regional_rate(std::size_t i, double t) const
+    {
+        const double m = fields.regional_rate[i];
+        if (fields.growth_maps.times.empty())
+        {
+            return {m, 0.0};
+        }
+        const GrowthMaps::Mean maps = fields.growth_maps.mean(i, t);
+        return {m * maps.value, m * maps.rate};
+    }
     // Both as they grow from t = 0, whatever is past.
     MaterialPoint point_by_theta(std::size_t i, double t) const
     {
         const GrowthCourse course = course_of(i);
-        MaterialPoint point = material_point(options, state.theta[i], fields.regional_rate[i], course.value(t));
+        const GrowthMaps::Mean m = regional_rate(i, t);
+        MaterialPoint point = material_point(options, state.theta[i], m.value, course.value(t));
         const double slope = course.slope(t);
         point.growth_rate *= slope;
         point.radial_growth_rate *= slope;
         if (!state.theta_rate.empty())
         {
-            const double per_theta = state.theta_rate[i] * fields.regional_rate[i] * course.value(t);
+            const double per_theta = state.theta_rate[i] * m.value * course.value(t);
             point.growth_rate += per_theta * (options.alpha_t - options.alpha_white);
             point.radial_growth_rate += per_theta * (options.alpha_r - options.alpha_white);
             point.shear_rate = state.theta_rate[i] * (options.mu_cortex - options.mu_white);
             point.bulk_rate = options.bulk == BulkRule::per_tissue ? options.bulk_modulus * point.shear_rate : 0.0;
+        }
+        if (m.rate != 0.0)
+        {
+            const MaterialPoint by_maps = material_point(options, state.theta[i], m.rate, course.value(t));
+            point.growth_rate += by_maps.growth - 1.0;
+            point.radial_growth_rate += by_maps.radial_growth - 1.0;
         }
         return point;
     }

@@ -13,6 +13,7 @@ void join(InternalResponse& total, const InternalResponse& part)
     total.elastic_energy += part.elastic_energy;
     total.zero_mode_energy += part.zero_mode_energy;
     total.growth_power += part.growth_power;
+    total.released += part.released;
     total.stiffest_rate = std::max(total.stiffest_rate, part.stiffest_rate);
     total.barrier_count += part.barrier_count;
     total.extrapolated_count += part.extrapolated_count;

@@ -18,6 +18,7 @@ struct InternalResponse
     double elastic_energy = 0.0;   ///< sum V Psi(F) [mu_w mm³]
     double zero_mode_energy = 0.0; ///< [mu_w mm³]
     double growth_power = 0.0;     ///< dE/dt at fixed positions: work of growth per unit of growth time [mu_w mm³]
+    double released = 0.0; ///< energy that the step of the tissue's history takes, less what it puts in [mu_w mm³]
     double stiffest_rate = 0.0; ///< largest wave speed at density 1 over smallest principal stretch, growth included,
                                 ///< for points one spacing apart
     double smallest_J = 0.0;    ///< smallest det F

@@ -6,13 +6,17 @@ namespace corticle::mechanics
 
 Contribution TissueTerm::add(const StepContext& context, std::span<Vec3> forces)
 {
+    if (remodelling_)
+    {
+        remodelling_->begin(context);
+    }
     const InternalResponse response = method_->evaluate(context.x, context.t, forces);
     if (response.invalid_at >= 0)
     {
         return {.invalid_at = response.invalid_at};
     }
     response_ = response;
-    return {.elastic_energy = response.elastic_energy,
+    return {.elastic_energy = std::max(response.elastic_energy, 0.0), // active fibres that shorten store less than none
             .growth_power = response.growth_power,
             .viscous_power = method_->add_viscous_forces(context.x, context.v, forces),
             .stable_step =
@@ -21,7 +25,20 @@ Contribution TissueTerm::add(const StepContext& context, std::span<Vec3> forces)
 
 std::vector<NamedEnergy> TissueTerm::energies() const
 {
-    return {{"elastic", response_.elastic_energy}, {"zero_mode", response_.zero_mode_energy}};
+    std::vector<NamedEnergy> all{{"elastic", response_.elastic_energy}, {"zero_mode", response_.zero_mode_energy}};
+    if (remodelling_)
+    {
+        all.push_back({"remodelling", remodelling_->released()});
+    }
+    return all;
+}
+
+void TissueTerm::accept(const StepContext& context, History& history)
+{
+    if (remodelling_)
+    {
+        remodelling_->accept(context, response_.released, history);
+    }
 }
 
 std::string TissueTerm::cause_of_short_step(std::span<const Vec3> x) const

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "corticle/mechanics/discretization.hpp"
-#include "corticle/mechanics/force_term.hpp"
+#include "corticle/mechanics/remodelling.hpp"
 
 #include <memory>
 
@@ -15,14 +15,17 @@ class TissueTerm final : public ForceTerm
   public:
     /// @param spacing    of the nodes [mm]
     /// @param time_step  a fixed step, in time, that nobody asks whether it is stable; 0: none
-    TissueTerm(std::unique_ptr<Discretization> method, double spacing, double time_step)
-        : method_(std::move(method)), spacing_(spacing), time_step_(time_step)
+    /// @param remodelling  of tissue with a history, which the method's tissue views; null: none
+    TissueTerm(std::unique_ptr<Discretization> method, double spacing, double time_step,
+               std::unique_ptr<Remodelling> remodelling = nullptr)
+        : remodelling_(std::move(remodelling)), method_(std::move(method)), spacing_(spacing), time_step_(time_step)
     {
     }
 
     std::string_view name() const override { return "tissue"; }
     Contribution add(const StepContext& context, std::span<Vec3> forces) override;
     std::vector<NamedEnergy> energies() const override;
+    void accept(const StepContext& context, History& history) override;
     std::string diagnosis(std::int64_t node, std::span<const Vec3> x) const override
     {
         return method_->diagnosis(node, x);
@@ -32,8 +35,11 @@ class TissueTerm final : public ForceTerm
     /// Of the last evaluation that was valid.
     const InternalResponse& response() const { return response_; }
     const Discretization& method() const { return *method_; }
+    /// Null where tissue has no history.
+    const Remodelling* remodelling() const { return remodelling_.get(); }
 
   private:
+    std::unique_ptr<Remodelling> remodelling_;
     std::unique_ptr<Discretization> method_;
     double spacing_;
     double time_step_;

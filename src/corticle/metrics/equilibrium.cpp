@@ -51,14 +51,14 @@ double force_of_patches(std::span<const Vec3> forces)
 EquilibriumMeasures equilibrium_measures(const EnergyBalance& energies, double volume)
 {
     const double least = least_density * volume;
-    const double given =
-        energies.elastic + energies.zero_mode + energies.kinetic + energies.others + energies.dissipated;
+    const double given = energies.elastic + energies.zero_mode + energies.kinetic + energies.others +
+                         energies.dissipated + energies.remodelling;
+    const double largest = std::max({std::abs(energies.growth_work), std::abs(given), std::abs(energies.remodelling)});
     EquilibriumMeasures m;
     m.zero_mode_share = ratio(energies.zero_mode, energies.elastic, least);
     m.kinetic_share = ratio(energies.relative_kinetic, energies.elastic, least);
     m.dissipated_share = ratio(energies.dissipated, energies.growth_work, least);
-    m.energy_balance_error =
-        ratio(std::abs(energies.growth_work - given), std::max(std::abs(energies.growth_work), std::abs(given)), least);
+    m.energy_balance_error = ratio(std::abs(energies.growth_work - given), largest, least);
     return m;
 }
 
@@ -70,6 +70,7 @@ double residual_force(const model::Simulation& simulation, std::span<const Mat3>
         double volume = 0.0;
     };
     const std::vector<double>& volumes = simulation.model().cloud.volumes;
+    const model::NodeStress stresses(simulation);
     const Sums sums = parallel_reduce(
         std::ssize(F), Sums{},
         [&](std::int64_t begin, std::int64_t end)
@@ -80,7 +81,7 @@ double residual_force(const model::Simulation& simulation, std::span<const Mat3>
                 part.volume += volumes[i];
                 if (determinant(F[i]) > 0.0) // the mean over inverted tets may be singular or inverted
                 {
-                    const Mat3 P = model::cauchy_stress_at(simulation, i, F[i]) * cofactor(F[i]);
+                    const Mat3 P = stresses.cauchy(i, F[i]) * cofactor(F[i]);
                     part.stress += volumes[i] * frobenius(P);
                 }
             }

@@ -16,7 +16,7 @@ struct EquilibriumMeasures
     double zero_mode_share = 0.0;      ///< zero-energy control over elastic energy
     double kinetic_share = 0.0;        ///< kinetic over elastic energy
     double dissipated_share = 0.0;     ///< dissipated over the work of growth
-    double energy_balance_error = 0.0; ///< |work of growth - stored - dissipated| over the larger of the two
+    double energy_balance_error = 0.0; ///< |work of growth - stored - dissipated - remodelling| over the largest
     double residual_force = 0.0;       ///< see residual_force()
 };
 
@@ -30,6 +30,7 @@ struct EnergyBalance
     double others = 0.0;           ///< of contact and whatever else stores energy
     double dissipated = 0.0;
     double growth_work = 0.0;
+    double remodelling = 0.0; ///< taken by the history of the tissue, less what active fibres put in
 };
 
 /// The shares of the energies. @param volume  of the body at rest [mm³], the scale of what rounding makes of nothing

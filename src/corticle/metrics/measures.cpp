@@ -84,14 +84,15 @@ void set_energies(const model::Simulation& simulation, std::span<const Mat3> F, 
     for (const auto& [name, value] : simulation.energies())
     {
         m.energy_contact += name == "contact" ? value : 0.0;
-        others += name == "elastic" || name == "zero_mode" ? 0.0 : value;
+        m.energy_remodelling += name == "remodelling" ? value : 0.0;
+        others += name == "elastic" || name == "zero_mode" || name == "remodelling" ? 0.0 : value;
     }
     m.energy_dissipated = state.energy_balance.dissipated;
     m.work_growth = state.energy_balance.growth_work;
-    static_cast<EquilibriumMeasures&>(m) =
-        equilibrium_measures({m.energy_elastic, m.energy_zero_mode, m.energy_kinetic,
-                              simulation.relative_kinetic_energy(), others, m.energy_dissipated, m.work_growth},
-                             reference_volume(simulation.model()));
+    static_cast<EquilibriumMeasures&>(m) = equilibrium_measures(
+        {m.energy_elastic, m.energy_zero_mode, m.energy_kinetic, simulation.relative_kinetic_energy(), others,
+         m.energy_dissipated, m.work_growth, m.energy_remodelling},
+        reference_volume(simulation.model()));
     m.residual_force = residual_force(simulation, F);
 }
 

@@ -40,6 +40,7 @@ struct Measures : SurfaceMeasures, FoldMeasures, EquilibriumMeasures, BoundaryMe
     double energy_zero_mode = 0.0;
     double energy_contact = 0.0;
     double energy_dissipated = 0.0;
+    double energy_remodelling = 0.0; ///< taken by the history of the tissue
     double work_growth = 0.0;
     double overlap_area_share = 0.0;
     double max_penetration_mm = 0.0;

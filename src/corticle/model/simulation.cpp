@@ -87,9 +87,10 @@ Simulation::Simulation(std::shared_ptr<const Model> model, const SimulationOptio
                                              material::wave_speed(options_->tissue))),
       loading_(options_->dynamics, options_->tissue, options_->time.start)
 {
-    auto tissue =
-        std::make_unique<mechanics::TissueTerm>(make_discretization(*model_, *options_, *state_), model_->cloud.spacing,
-                                                options_->dynamics.time_step * total_time_);
+    auto remodelling = make_remodelling(*model_, *options_);
+    auto method = make_discretization(*model_, *options_, *state_, remodelling.get());
+    auto tissue = std::make_unique<mechanics::TissueTerm>(
+        std::move(method), model_->cloud.spacing, options_->dynamics.time_step * total_time_, std::move(remodelling));
     tissue_ = tissue.get();
     terms_.insert(terms_.begin(), std::move(tissue));
     for (const auto& term : terms_)

@@ -49,6 +49,8 @@ class Simulation
     /// What all terms store now, by kind [mu_w mm³].
     std::vector<mechanics::NamedEnergy> energies() const;
     const mechanics::InternalResponse& internal() const { return tissue_->response(); }
+    /// Null where tissue has no history.
+    const mechanics::Remodelling* remodelling() const { return tissue_->remodelling(); }
     contact::ContactResponse contact() const
     {
         return contact_ != nullptr ? contact_->response() : contact::ContactResponse{};

@@ -12,15 +12,26 @@
 namespace corticle::model
 {
 
-std::unique_ptr<mechanics::Discretization> make_discretization(const Model& model, const SimulationOptions& options,
-                                                               const State& state)
+std::unique_ptr<mechanics::Remodelling> make_remodelling(const Model& model, const SimulationOptions& options)
 {
+    const material::RemodellingOptions& chosen = options.tissue.remodelling;
+    const std::size_t points = model.fem ? model.fem->elements.tets.size() : model.cloud.positions.size();
+    return chosen.any() ? std::make_unique<mechanics::Remodelling>(
+                              chosen, points, mechanics::RunClock{options.time.clock, options.time.start})
+                        : nullptr;
+}
+
+std::unique_ptr<mechanics::Discretization> make_discretization(const Model& model, const SimulationOptions& options,
+                                                               const State& state,
+                                                               const mechanics::Remodelling* remodelling)
+{
+    const material::RemodellingView* const history = remodelling != nullptr ? &remodelling->view() : nullptr;
     if (options.method == Method::fem)
     {
-        return std::make_unique<fem::FemSolver>(model.fem->elements,
-                                                material::Tissue{options.tissue, model.fem->tissue, state.elements});
+        return std::make_unique<fem::FemSolver>(
+            model.fem->elements, material::Tissue{options.tissue, model.fem->tissue, state.elements, history});
     }
-    const material::Tissue tissue{options.tissue, model.tissue, state.nodes};
+    const material::Tissue tissue{options.tissue, model.tissue, state.nodes, history};
     if (options.formulation == thesis::Formulation::thesis)
     {
         return std::make_unique<thesis::PrintedSolver>(model.particles, tissue, options.thesis);

@@ -12,9 +12,13 @@
 namespace corticle::model
 {
 
-/// The discretisation the options ask for. Refers to all three.
+/// Histories of the material points, or null where the options ask for none.
+std::unique_ptr<mechanics::Remodelling> make_remodelling(const Model& model, const SimulationOptions& options);
+
+/// The discretisation the options ask for. Refers to all of them. @param remodelling  null: none
 std::unique_ptr<mechanics::Discretization> make_discretization(const Model& model, const SimulationOptions& options,
-                                                               const State& state);
+                                                               const State& state,
+                                                               const mechanics::Remodelling* remodelling);
 
 /// The forces of a simulation besides those of the tissue. Refer to the model.
 std::vector<std::unique_ptr<mechanics::ForceTerm>> make_terms(const Model& model, const SimulationOptions& options);

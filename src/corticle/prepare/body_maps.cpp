@@ -102,12 +102,35 @@ void apply_regions(const MapOptions& options, std::span<const double> labels, Bo
 
 } // namespace
 
+std::vector<std::string> growth_arrays(const MapOptions& options)
+{
+    std::vector<std::string> arrays;
+    std::string_view rest = options.growth_array;
+    while (!rest.empty())
+    {
+        const std::size_t comma = std::min(rest.find(','), rest.size());
+        const std::string_view entry = rest.substr(0, comma);
+        const std::size_t first = entry.find_first_not_of(' ');
+        const std::size_t last = entry.find_last_not_of(' ');
+        arrays.emplace_back(first == std::string_view::npos ? "" : entry.substr(first, last - first + 1));
+        rest.remove_prefix(std::min(comma + 1, rest.size()));
+    }
+    return arrays;
+}
+
 BodyMaps read_body_maps(const MapOptions& options, const TriangleMesh& surface, std::span<const Vec3> positions)
 {
     MapSampler sampler(surface, positions);
     BodyMaps maps;
     maps.growth.assign(positions.size(), 1.0);
-    if (!options.growth_file.empty())
+    if (!options.growth_times.empty())
+    {
+        for (const std::string& array : growth_arrays(options))
+        {
+            maps.growth_series.push_back(sampler.numbers({"map.growth_file", options.growth_file, array}, {0.0}));
+        }
+    }
+    else if (!options.growth_file.empty())
     {
         const MapFile map{"map.growth_file", options.growth_file, options.growth_array};
         maps.growth = sampler.numbers(map, {0.0});

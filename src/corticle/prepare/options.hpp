@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace corticle::prepare
 {
@@ -95,8 +96,12 @@ struct GeometryOptions
 /// Values on the body read from files (keys under [map]); an empty file: none.
 struct MapOptions
 {
-    std::string growth_file;     ///< regional growth m, one number a vertex of the input surface
-    std::string growth_array;    ///< which array of that file; empty: its first
+    std::string growth_file;          ///< regional growth m, one number a vertex of the input surface
+    std::string growth_array;         ///< which array of that file; empty: its first
+    std::vector<double> growth_times; ///< of several arrays, which growth_array lists with commas [t, or weeks]
+    double protomap_amplitude = 0.0;  ///< standard deviation of a random map, by which m is multiplied [-]
+    double protomap_wavelength_mm = 10.0;
+    std::int64_t protomap_seed = 1;
     std::string thickness_file;  ///< cortical thickness at t = 0 [mm], the same way
     std::string thickness_array; ///< which array of that file
     std::string still_file;      ///< where this is not 0 nothing grows, the same way, or a label volume
@@ -113,6 +118,7 @@ struct PreparationOptions : model::SimulationOptions
     GeometryOptions geometry;
     MapOptions map;
     imaging::TissueLabels labels; ///< of each tissue; without cortex: the depth decides
+    std::string fibre_file;       ///< key fibres.file: NIfTI volume of vectors
     std::string growth_table;     ///< key growth.table: CSV of week, tissue, tangential, radial
     material::ImperfectionOptions imperfection;
 };

@@ -12,14 +12,15 @@
 #include "corticle/prepare/body_maps.hpp"
 #include "corticle/prepare/body_source.hpp"
 #include "corticle/prepare/body_thickness.hpp"
+#include "corticle/prepare/fibres.hpp"
 #include "corticle/prepare/labelled_tissue.hpp"
+#include "corticle/prepare/patterning.hpp"
 #include "corticle/prepare/skull_surface.hpp"
 #include "corticle/prepare/thesis/ellipsoid.hpp"
 #include "corticle/prepare/thesis_choices.hpp"
 #include "corticle/prepare/ventricle_surface.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <numbers>
 #include <numeric>
@@ -64,6 +65,7 @@ BodyMaps set_maps(const MapOptions& options, const TriangleMesh& map_surface, st
 {
     BodyMaps maps = read_body_maps(options, map_surface, places);
     tissue.mapped_rate = std::move(maps.growth);
+    tissue.growth_maps.values = std::move(maps.growth_series);
     tissue.growth_onset = std::move(maps.onset);
     tissue.growth_rate = std::move(maps.rate);
     tissue.thickness = std::move(maps.thickness);
@@ -184,6 +186,8 @@ void set_regional_rate(const PreparationOptions& options, double thickness, std:
                        material::TissueFields& tissue)
 {
     tissue.regional_rate = tissue.mapped_rate;
+    set_growth_times(options, tissue.growth_maps);
+    apply_protomap(options.map, places, tissue);
     const double amplitude = imperfection_amplitude(options);
     if (amplitude > 0.0)
     {
@@ -242,51 +246,6 @@ void connect_particles(const PreparationOptions& options, double thickness, Prep
 }
 
 } // namespace
-
-double estimated_memory(model::Method method, double particles, double neighbors)
-{
-    constexpr double bytes_per_pair = 6.0;
-    constexpr double bytes_per_particle = 960.0; // at an output time, when it takes the most
-    constexpr double bytes_per_tet = 240.0;
-    constexpr double tets_per_node = 6.0;
-    constexpr double base = 360e6; // the program and its picture library
-    const double links = method == model::Method::fem ? tets_per_node * bytes_per_tet : neighbors * bytes_per_pair;
-    return base + particles * (bytes_per_particle + links);
-}
-
-Resolution resolve_resolution(const PreparationOptions& options, double volume_mm3, double area_mm2,
-                              const cloud::DepthProfile* profile, const cloud::Grading& grading)
-{
-    const GeometryOptions& geometry = options.geometry;
-    const double count = geometry.spacing_mm ? (profile != nullptr ? profile->count(*geometry.spacing_mm, grading)
-                                                                   : volume_mm3 / std::pow(*geometry.spacing_mm, 3))
-                         : options.elements  ? static_cast<double>(geometry::nodes_for_tets(
-                                                   *options.elements, volume_mm3, area_mm2, cloud::edge_per_spacing))
-                                             : static_cast<double>(geometry.particles.value_or(default_particles));
-    const double spacing = profile != nullptr ? profile->spacing_for(count, grading) : std::cbrt(volume_mm3 / count);
-    const std::string asked =
-        geometry.spacing_mm ? fmt::format("geometry.spacing_mm = {:g}", *geometry.spacing_mm)
-        : options.elements  ? fmt::format("solver.elements = {}", *options.elements)
-                            : fmt::format("geometry.particles = {}", geometry.particles.value_or(default_particles));
-    if (!(count >= static_cast<double>(fewest_particles) && count <= static_cast<double>(most_particles)))
-    {
-        throw InputError(fmt::format(
-            "{}: gives {:.0f} particles in {:.4g} mm³; expected {} to {} (spacing {:.4g} to {:.4g} mm)", asked, count,
-            volume_mm3, fewest_particles, most_particles, std::cbrt(volume_mm3 / static_cast<double>(most_particles)),
-            std::cbrt(volume_mm3 / static_cast<double>(fewest_particles))));
-    }
-    const double memory = estimated_memory(options.method, count,
-                                           4.0 / 3.0 * std::numbers::pi *
-                                               std::pow(tlsph::support_mm(options.tlsph, spacing) / spacing, 3));
-    const double available = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
-    if (memory > available)
-    {
-        throw InputError(fmt::format(
-            "{}: gives {:.3g} particles, which need {:.1f} GiB; expected at most the {:.1f} GiB of this machine", asked,
-            count, memory / 0x1p30, available / 0x1p30));
-    }
-    return {spacing, std::llround(count)};
-}
 
 cloud::Grading grading_of(const PreparationOptions& options, const TriangleMesh& map_surface,
                           const std::array<double, 3>& extents)
@@ -357,12 +316,14 @@ void connect_body(const PreparationOptions& options, Preparation& made)
     const double mean = mean_thickness(options, model);
     set_regional_rate(options, mean, material_places(model), model.tissue);
     complete_tissue(options, X, material_places(model), model.cloud.volumes, model.tissue);
+    set_fibres(options, model.cloud, material_places(model), model.tissue);
     if (model.fem)
     {
         const fem::TetElements& elements = model.fem->elements;
         const std::vector<Vec3> places = fem::centroids(X, elements.tets);
         set_regional_rate(options, mean, places, model.fem->tissue);
         complete_tissue(options, X, places, elements.volume, model.fem->tissue);
+        set_fibres(options, model.cloud, places, model.fem->tissue);
     }
     else
     {

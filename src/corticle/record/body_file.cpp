@@ -70,6 +70,10 @@ void store_tissue(const material::TissueFields& tissue, const std::string& prefi
     image.scalars[prefix + "growth_onset"] = tissue.growth_onset;
     image.scalars[prefix + "growth_rate"] = tissue.growth_rate;
     image.scalars[prefix + "thickness"] = tissue.thickness;
+    for (std::size_t k = 0; k < tissue.growth_maps.values.size(); ++k)
+    {
+        image.scalars[fmt::format("{}growth_map_{}", prefix, k)] = tissue.growth_maps.values[k];
+    }
     if (!tissue.cortex_inside.empty())
     {
         image.scalars[prefix + "cortex_inside"] = tissue.cortex_inside;
@@ -89,6 +93,11 @@ material::TissueFields stored_tissue(const Checkpoint& image, const std::string&
     tissue.growth_onset = array_of(image.scalars, prefix + "growth_onset", file);
     tissue.growth_rate = array_of(image.scalars, prefix + "growth_rate", file);
     tissue.thickness = array_of(image.scalars, prefix + "thickness", file);
+    const auto map_name = [&](std::size_t k) { return fmt::format("{}growth_map_{}", prefix, k); };
+    for (std::size_t k = 0; image.scalars.contains(map_name(k)); ++k)
+    {
+        tissue.growth_maps.values.push_back(image.scalars.at(map_name(k)));
+    }
     if (image.scalars.contains(prefix + "cortex_inside"))
     {
         tissue.cortex_inside = array_of(image.scalars, prefix + "cortex_inside", file);

@@ -63,6 +63,7 @@ ParticleArrays particle_arrays(const model::Simulation& simulation, const Frame&
 {
     const material::TissueFields& tissue = simulation.model().tissue;
     const std::vector<Mat3>& F = *frame.F;
+    const model::NodeStress stresses(simulation);
     const std::size_t count = F.size();
     ParticleArrays a{std::vector<double>(count), std::vector<double>(9 * count), std::vector<double>(9 * count),
                      std::vector<double>(3 * count), std::vector<double>(3 * count)};
@@ -70,7 +71,7 @@ ParticleArrays particle_arrays(const model::Simulation& simulation, const Frame&
                  [&](std::int64_t signed_i)
                  {
                      const auto i = static_cast<std::size_t>(signed_i);
-                     const Mat3 sigma = model::cauchy_stress_at(simulation, i, F[i]);
+                     const Mat3 sigma = stresses.cauchy(i, F[i]);
                      const Vec3 u = frame.particles[i] - frame.origins[i];
                      a.J[i] = determinant(F[i]);
                      for (int row = 0; row < 3; ++row)

@@ -14,6 +14,7 @@ __device__ double log(double);
 #endif
 
 #include "corticle/material/neo_hookean.hpp"
+#include "corticle/material/remodelled.hpp"
 #include "corticle/mechanics/tlsph/fit.hpp"
 #include "corticle/mechanics/tlsph/particle_law.hpp"
 
@@ -58,6 +59,32 @@ __global__ void respond_on_device(material::TissueOptions tissue, double t, Part
                                         0.02, deformation, particle.fit.residual(coefficients));
     particle.pulls = particle.fit.pulls(particle.response.stress, particle.response.zeta);
 }
+/// The same with a history, which goes on by a step.
+template <class Real>
+struct RemodelledParticle
+{
+    material::BasicMaterialPoint<Real> point;
+    BasicVec3<Real> normal;
+    BasicMat3<Real> F;
+    material::BasicFibre<Real> fibre;
+    material::BasicPointHistory<Real> history;
+    material::BasicResponse<Real> response;
+};
+
+template <class Real>
+__global__ void remodel_on_device(material::RemodellingStep step, double barrier_J, RemodelledParticle<Real>* particles)
+{
+    RemodelledParticle<Real>& p = particles[0];
+    p.history.growth =
+        material::growth_by_stress(step, p.point, p.fibre.share, determinant(p.F), p.history.growth);
+    const auto grown = material::grown_by_stress(p.point, p.history.growth);
+    p.history = material::advanced(step, p.fibre, material::elastic_deformation(grown, p.normal, p.F), p.history);
+    const auto law = material::remodelled(step, step.tension, material::NeoHookean{barrier_J}, p.fibre, p.history);
+    p.response = material::respond(law, grown, p.normal, p.F);
+}
+template __global__ void remodel_on_device(material::RemodellingStep, double, RemodelledParticle<double>*);
+template __global__ void remodel_on_device(material::RemodellingStep, double, RemodelledParticle<float>*);
+
 template __global__ void respond_on_device(material::TissueOptions, double, Particle<double>*);
 template __global__ void respond_on_device(material::TissueOptions, double, Particle<float>*);
 

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "corticle/material/response.hpp"
-#include "corticle/material/wide_tissue.hpp"
+#include "corticle/material/wide_remodelling.hpp"
 #include "corticle/mechanics/fem/elements.hpp"
+#include "corticle/mechanics/fem/extrapolation.hpp"
 
 // The law of a linear tetrahedron, for the eight of a block at once. See docs/theory/fem.md.
 
@@ -36,6 +37,7 @@ struct TetResponse
                          ///< with g the gradient of the shape function in the current configuration [mu_w mm]
     WideLanes energy;    ///< deviatoric [mu_w mm³]
     WideLanes power;     ///< dE/dt at fixed positions, the nodal part included [mu_w mm³]
+    WideLanes released;  ///< by the step of the history, the nodal part included to first order [mu_w mm³]
     WideLanes J;
     WideLanes flatness; ///< a lower bound of the smallest principal stretch of F_e where J > 0
 };
@@ -83,6 +85,20 @@ CORTICLE_INLINE WideLanes volumes(const WideEdges& edge)
     return dot(edge[0], cross(edge[1], edge[2])) / 6.0;
 }
 
+/// A lower bound of the smallest principal stretch: s_3 = J_e / (s_1 s_2), and s_1 s_2 <= (s_1² + s_2²) / 2.
+template <class Law>
+CORTICLE_INLINE WideLanes flatness(const Law& /*law*/, const material::ElasticDeformation<WideLanes>& e)
+{
+    return 2.0 * e.J_e / contract(e.F_e, e.F_e);
+}
+/// Of what the matrix sees.
+CORTICLE_INLINE WideLanes flatness(const material::WideRemodelled& law,
+                                   const material::ElasticDeformation<WideLanes>& e)
+{
+    const WideMat3 seen = e.F_e * law.branch;
+    return 2.0 * e.J_e * (law.branch(0, 0) * law.branch(1, 1) * law.branch(2, 2)) / contract(seen, seen);
+}
+
 /// Forces, energy and growth power of the tets where nothing is extrapolated.
 template <bool plain, material::Material<WideLanes> Law>
 CORTICLE_INLINE TetResponse respond(const Law& law, const TetBlock& block, const WideEdges& edge, const WideMat3& F,
@@ -107,7 +123,15 @@ CORTICLE_INLINE TetResponse respond(const Law& law, const TetBlock& block, const
     out.energy = V * J_g * shape.energy;
     const WideLanes six_v = 6.0 * volumes(edge);
     out.J = six_v / (6.0 * V);
-    out.flatness = 2.0 * e.J_e / contract(e.F_e, e.F_e); // s_3 = J_e / (s_1 s_2), and s_1 s_2 <= (s_1² + s_2²) / 2
+    out.flatness = flatness(law, e);
+    out.released = WideLanes{};
+    if constexpr (requires { law.released; })
+    {
+        const WideLanes nodal_part =
+            0.25 * law.growth_step * (point.bulk_modulus * nodal.density - nodal.work); // as in nodal_power
+        out.released =
+            out.flatness > extrapolated_stretch ? WideLanes{V * (law.released - J_g * nodal_part)} : WideLanes{};
+    }
 
     // Twice the areas of the faces opposite to the corners, inwards, are 6 v times the gradients now. The largest
     // eigenvalue of their sum of squares by the mean and deviation of the three (Wolkowicz & Styan 1980).
@@ -118,8 +142,8 @@ CORTICLE_INLINE TetResponse respond(const Law& law, const TetBlock& block, const
     const WideMat3 T = (outer(a0, a0) + outer(a1, a1)) + (outer(a2, a2) + outer(a3, a3));
     const WideLanes mean = trace(T) / 3.0;
     const WideLanes variance = larger<WideLanes>(contract(T, T) / 3.0 - mean * mean, WideLanes{});
-    out.stiffness = V * J_g * material::longitudinal_modulus(point) * (mean + square_root<WideLanes>(2.0 * variance)) /
-                    (six_v * six_v);
+    out.stiffness = V * J_g * material::longitudinal_modulus(law, point) *
+                    (mean + square_root<WideLanes>(2.0 * variance)) / (six_v * six_v);
     return out;
 }
 

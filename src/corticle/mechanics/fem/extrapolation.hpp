@@ -2,9 +2,10 @@
 #pragma once
 
 #include "corticle/base/dual.hpp"
-#include "corticle/material/material.hpp"
+#include "corticle/material/wide_remodelling.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace corticle::fem
 {
@@ -75,6 +76,62 @@ material::ElasticResponse extrapolated_deviatoric(const Law& law, const Singular
     }
     result.stress = turned * transpose(elastic.V);
     return result;
+}
+
+/// The deviatoric part of a law where it is extrapolated; nothing where it is not.
+template <material::Material Law>
+std::optional<material::ElasticResponse> extrapolated_where_flat(const Law& law, const Mat3& F_e, double shear_modulus,
+                                                                 double bulk_modulus)
+{
+    const SingularValues elastic = singular_values(F_e);
+    if (!(elastic.stretch.z < extrapolated_stretch))
+    {
+        return std::nullopt;
+    }
+    return extrapolated_deviatoric(law, elastic, shear_modulus, bulk_modulus);
+}
+
+/// The matrix is extrapolated at what it sees; fibres need not be.
+inline std::optional<material::ElasticResponse> extrapolated_where_flat(const material::BasicRemodelled<double>& law,
+                                                                        const Mat3& F_e, double shear_modulus,
+                                                                        double bulk_modulus)
+{
+    std::optional<material::ElasticResponse> all =
+        extrapolated_where_flat(law.matrix, F_e * law.branch, shear_modulus * law.branch_size, bulk_modulus);
+    if (all)
+    {
+        all->stress = all->stress * transpose(law.branch);
+        all->deviatoric_energy += law.stored_by_flow(shear_modulus);
+        if (law.has_fibres)
+        {
+            const auto fibres = law.respond_of_fibres(shear_modulus, F_e);
+            all->deviatoric_energy += fibres.energy;
+            all->stress += fibres.stress;
+        }
+    }
+    return all;
+}
+
+/// The law in one lane of eight.
+template <class Law>
+const Law& law_in_lane(const Law& law, int /*lane*/)
+{
+    return law;
+}
+inline material::BasicRemodelled<double> law_in_lane(const material::WideRemodelled& law, int lane)
+{
+    const auto number = [&](const WideLanes& values) { return values[lane]; };
+    const auto vector = [&](const WideVec3& v) { return Vec3{number(v.x), number(v.y), number(v.z)}; };
+    return {law.matrix,
+            law.relaxes,
+            law.has_fibres,
+            {{vector(law.branch.column[0]), vector(law.branch.column[1]), vector(law.branch.column[2])}},
+            number(law.branch_size),
+            {vector(law.fibre.direction), number(law.fibre.share)},
+            number(law.fibre_length),
+            law.fibre_stiffness,
+            law.fibre_tension,
+            law.barrier_J};
 }
 
 } // namespace corticle::fem

@@ -61,13 +61,12 @@ std::optional<OneResponse> extrapolate(const Law& law, const OneTet& tet)
 {
     const material::MaterialPoint& point = tet.point;
     const material::ElasticDeformation<double> e = material::elastic_deformation(point, tet.normal, tet.F);
-    const SingularValues elastic = singular_values(e.F_e);
-    if (!(elastic.stretch.z < extrapolated_stretch))
+    const auto extrapolated = extrapolated_where_flat(law, e.F_e, point.shear_modulus, point.bulk_modulus);
+    if (!extrapolated)
     {
         return std::nullopt;
     }
-    const material::ElasticResponse continued =
-        extrapolated_deviatoric(law, elastic, point.shear_modulus, point.bulk_modulus);
+    const material::ElasticResponse& continued = *extrapolated;
     const double grown = tet.volume * material::growth_volume(point);
     const Mat3 P =
         grown * (continued.stress * e.inverse_G) + (0.25 * tet.nodal.pressure * tet.volume) * cofactor(tet.F);
@@ -85,7 +84,7 @@ std::optional<OneResponse> extrapolate(const Law& law, const OneTet& tet)
     out.power = grown * (material::growth_power(point, tet.normal, e.F_e, continued) + nodal_power(point, tet.nodal));
     // The tangent of the extrapolated law stays below about ten times that of the tissue at rest.
     constexpr double stiffening = 10.0;
-    out.stiffness = grown * stiffening * material::longitudinal_modulus(point) * squared_gradients;
+    out.stiffness = grown * stiffening * material::longitudinal_modulus(law, point) * squared_gradients;
     return out;
 }
 
@@ -125,7 +124,7 @@ void extrapolate_flat(const Law& law, const TetBlock& block, const WideMat3& F, 
             continue;
         }
         sum.inverted_count += out.J[l] <= 0.0 ? 1 : 0;
-        if (const auto one = extrapolate(law, tet_in_lane(block, F, tissue, nodal, l)))
+        if (const auto one = extrapolate(law_in_lane(law, l), tet_in_lane(block, F, tissue, nodal, l)))
         {
             ++sum.extrapolated_count;
             for (int a = 0; a < 3; ++a)
@@ -171,6 +170,7 @@ CORTICLE_EVERY_ISA void sum_forces(const Law& law, const Chunk& chunk, const Vec
     }
     WideLanes energy{};
     WideLanes power{};
+    WideLanes released{};
     for (std::int64_t first = chunk.begin; first < chunk.end; first += wide_lanes)
     {
         const TetBlock& block = chunk.block_of(first);
@@ -178,20 +178,22 @@ CORTICLE_EVERY_ISA void sum_forces(const Law& law, const Chunk& chunk, const Vec
         WideEdges edge;
         gather_edges(block, local, edge);
         const WideMat3 F = gradients(block, edge);
-        const material::WideTissue tissue = tissue_of<plain>(chunk, group, F);
+        material::WideTissue tissue = tissue_of<plain, material::HasHistory<Law>>(chunk, group, F);
+        const auto& law_here = material::law_at(law, chunk.tissue, group, F, tissue);
         const WideVec3 values = (gather_corner(block, local_values, 0) + gather_corner(block, local_values, 1)) +
                                 (gather_corner(block, local_values, 2) + gather_corner(block, local_values, 3));
         const NodalSums nodal{values.x, values.y, values.z};
-        TetResponse out = respond<plain>(law, block, edge, F, tissue, nodal);
+        TetResponse out = respond<plain>(law_here, block, edge, F, tissue, nodal);
         bool any_flat = false;
         for_lanes(~(out.flatness > extrapolated_stretch), [&](int) { any_flat = true; });
         if (any_flat)
         {
-            extrapolate_flat(law, block, F, tissue, nodal, group, out, sum);
+            extrapolate_flat(law_here, block, F, tissue, nodal, group, out, sum);
         }
         scatter_forces(block, out, group, parts);
         energy += group.counted(out.energy);
         power += group.counted(out.power);
+        released += group.counted(out.released);
         for_lanes(out.J < sum.smallest_J,
                   [&](int l)
                   {
@@ -205,6 +207,7 @@ CORTICLE_EVERY_ISA void sum_forces(const Law& law, const Chunk& chunk, const Vec
     }
     sum.elastic_energy += sum_of_lanes(energy);
     sum.growth_power += sum_of_lanes(power);
+    sum.released += sum_of_lanes(released);
 }
 
 /// The pass with one law, compiled for it.
@@ -225,8 +228,14 @@ class LawForcePass final : public ForcePass
     void run(const Chunk& chunk, const Vec3* x, const NodalPressure* values, Vec3* parts,
              mechanics::InternalResponse& sum) const override
     {
-        chunk.tissue.grows_plainly() ? sum_forces<true>(law_, chunk, x, values, parts, sum)
-                                     : sum_forces<false>(law_, chunk, x, values, parts, sum);
+        if constexpr (!material::HasHistory<Law>)
+        {
+            if (chunk.tissue.grows_plainly())
+            {
+                return sum_forces<true>(law_, chunk, x, values, parts, sum);
+            }
+        }
+        sum_forces<false>(law_, chunk, x, values, parts, sum);
     }
 
   private:

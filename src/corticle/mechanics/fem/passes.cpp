@@ -9,7 +9,7 @@ namespace corticle::fem
 namespace
 {
 
-template <bool plain>
+template <bool plain, bool remodels = false>
 CORTICLE_INLINE void sum_volumes(const Chunk& chunk, const Vec3* x, NodalVolume* parts)
 {
     Lanes local[most_nodes];
@@ -24,7 +24,12 @@ CORTICLE_INLINE void sum_volumes(const Chunk& chunk, const Vec3* x, NodalVolume*
         const WideGroup group = group_of(chunk, first);
         WideEdges edge;
         gather_edges(block, local, edge);
-        const auto point = tissue_of<plain>(chunk, group, WideMat3::identity()).point; // whatever the normal
+        auto point = tissue_of<plain, remodels>(chunk, group, WideMat3::identity()).point; // whatever the normal
+        if constexpr (remodels)
+        {
+            const WideLanes J = determinant(gradients(block, edge));
+            point = material::grown_by_stress(point, material::grow_by_stress(chunk.tissue, group, point, J));
+        }
         const WideLanes grown = material::growth_volume<plain>(point) * in_lanes(block.volume);
         const WideVec3 quarter = 0.25 * WideVec3{volumes(edge), grown, point.bulk_modulus * grown};
         group.scatter_rows(quarter,
@@ -48,6 +53,11 @@ CORTICLE_EVERY_ISA void plain_volumes(const Chunk& chunk, const Vec3* x, NodalVo
 CORTICLE_EVERY_ISA void general_volumes(const Chunk& chunk, const Vec3* x, NodalVolume* parts)
 {
     sum_volumes<false>(chunk, x, parts);
+}
+
+CORTICLE_EVERY_ISA void remodelled_volumes(const Chunk& chunk, const Vec3* x, NodalVolume* parts)
+{
+    sum_volumes<false, true>(chunk, x, parts);
 }
 
 } // namespace corticle::fem

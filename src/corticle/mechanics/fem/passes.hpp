@@ -2,7 +2,7 @@
 #pragma once
 
 #include "corticle/base/parallel.hpp"
-#include "corticle/material/wide_tissue.hpp"
+#include "corticle/material/wide_remodelling.hpp"
 #include "corticle/mechanics/discretization.hpp"
 #include "corticle/mechanics/fem/elements.hpp"
 
@@ -61,16 +61,19 @@ CORTICLE_INLINE WideGroup group_of(const Chunk& chunk, std::int64_t first)
     return {first, std::min(wide_lanes, chunk.end - first)};
 }
 
-/// `plain`: growth is that of Tissue::grows_plainly.
-template <bool plain>
+/// `plain`: growth is that of Tissue::grows_plainly. `remodels`: tissue has a history.
+template <bool plain, bool remodels>
 CORTICLE_INLINE material::WideTissue tissue_of(const Chunk& chunk, const WideGroup& group, const WideMat3& F)
 {
-    return plain ? material::plain_tissue(chunk.tissue, chunk.t, group)
-                 : material::any_tissue(chunk.tissue, chunk.t, group, F);
+    return plain      ? material::plain_tissue(chunk.tissue, chunk.t, group)
+           : remodels ? material::unstressed_tissue(chunk.tissue, chunk.t, group, F)
+                      : material::any_tissue(chunk.tissue, chunk.t, group, F);
 }
 
-/// Parts of the volumes of the chunk's nodes. The first for growth that Tissue::grows_plainly.
+/// Parts of the volumes of the chunk's nodes. The first for growth that Tissue::grows_plainly, the last for tissue with
+/// a history, whose growth by stress it sets.
 void plain_volumes(const Chunk& chunk, const Vec3* x, NodalVolume* parts);
 void general_volumes(const Chunk& chunk, const Vec3* x, NodalVolume* parts);
+void remodelled_volumes(const Chunk& chunk, const Vec3* x, NodalVolume* parts);
 
 } // namespace corticle::fem

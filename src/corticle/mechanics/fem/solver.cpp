@@ -5,6 +5,7 @@
 #include "corticle/base/simd.hpp"
 #include "corticle/material/tissue_law.hpp"
 #include "corticle/mechanics/fem/force_pass.hpp"
+#include "corticle/mechanics/fem/remodelled_pass.hpp"
 #include "corticle/mesh/sizes.hpp"
 
 #include <fmt/format.h>
@@ -34,7 +35,9 @@ CORTICLE_INLINE Part joined(const TetElements& elements, std::int64_t node, cons
 } // namespace
 
 FemSolver::FemSolver(const TetElements& elements, const material::Tissue& tissue)
-    : FemSolver(elements, tissue, force_pass(material::tissue_law(tissue.options)))
+    : FemSolver(elements, tissue,
+                tissue.remodelling == nullptr ? force_pass(material::tissue_law(tissue.options))
+                                              : remodelled_force_pass(tissue.options))
 {
 }
 
@@ -49,7 +52,9 @@ FemSolver::~FemSolver() = default;
 
 mechanics::InternalResponse FemSolver::evaluate_volumes(std::span<const Vec3> x, double t)
 {
-    const auto sum_chunk = tissue_.grows_plainly() ? plain_volumes : general_volumes;
+    const auto sum_chunk = tissue_.remodelling != nullptr ? remodelled_volumes
+                           : tissue_.grows_plainly()      ? plain_volumes
+                                                          : general_volumes;
     parallel_blocks(std::ssize(elements_.tets),
                     [&](std::int64_t begin, std::int64_t end)
                     {

@@ -20,7 +20,7 @@ CORTICLE_INLINE material::Response respond_multiplied(const Law& law, const mate
     return {1.0,
             elastic.deviatoric_energy + elastic.volumetric_energy,
             contract(elastic.stress, F * (point.growth_rate * along + point.radial_growth_rate * across)),
-            material::grown_wave_speed(point),
+            material::grown_wave_speed(law, point),
             determinant(F_G),
             elastic.stress};
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/material/wide_tissue.hpp"
+#include "corticle/material/wide_remodelling.hpp"
 #include "corticle/mechanics/discretization.hpp"
 #include "corticle/mechanics/tlsph/block.hpp"
 #include "corticle/mechanics/tlsph/particle_law.hpp"
@@ -52,6 +52,7 @@ struct LaneSums
     WideLanes elastic_energy{};
     WideLanes zero_mode_energy{};
     WideLanes growth_power{};
+    WideLanes released{};
     WideLanes stiffest_rate{};
     WideLanes barrier_count{};
 };
@@ -99,14 +100,23 @@ CORTICLE_INLINE void respond_in_lanes(const Law& law, const Block& block, const 
     const auto coefficients = fit.coefficients();
     const ParticleDeformation<WideLanes> deformation = particle_deformation(fit.gradient(coefficients));
     note_volumes(group, deformation.J, total);
-    const material::WideTissue tissue = plain ? material::plain_tissue(in.tissue, in.t, group)
-                                              : material::any_tissue(in.tissue, in.t, group, deformation.F);
+    material::WideTissue tissue = plain ? material::plain_tissue(in.tissue, in.t, group)
+                                  : material::HasHistory<Law>
+                                      ? material::unstressed_tissue(in.tissue, in.t, group, deformation.F)
+                                      : material::any_tissue(in.tissue, in.t, group, deformation.F);
+    const auto& local = material::law_at(law, in.tissue, group, deformation.F, tissue);
     const ParticleResponse<WideLanes> particle =
-        particle_response<plain>(law, tissue.point, tissue.normal, group.gather(particles.volume.data()),
+        particle_response<plain>(local, tissue.point, tissue.normal, group.gather(particles.volume.data()),
                                  particles.options.zeta, deformation, fit.residual(coefficients));
     sum.elastic_energy += group.counted(particle.elastic_energy);
     sum.zero_mode_energy += group.counted(particle.zero_mode_energy);
     sum.growth_power += group.counted(particle.growth_power);
+    if constexpr (requires { local.released; })
+    {
+        // The zero-energy control stiffens as the tissue grows in length.
+        const WideLanes control = particle.zero_mode_energy * (inverse_cube_root(1.0 + local.growth_step) - 1.0);
+        sum.released += group.counted(group.gather(particles.volume.data()) * local.released + control);
+    }
     sum.stiffest_rate = larger<WideLanes>(sum.stiffest_rate, particle.rate);
     sum.barrier_count += group.counted(particle.J_e < law.barrier_J ? broadcast<WideLanes>(1.0) : WideLanes{});
     const auto Z = fit.pulls(particle.stress, particle.zeta);
@@ -147,6 +157,7 @@ CORTICLE_EVERY_ISA void deform(const Law& law, const Block& block, const PassInp
     total.elastic_energy += sum_of_lanes(sum.elastic_energy);
     total.zero_mode_energy += sum_of_lanes(sum.zero_mode_energy);
     total.growth_power += sum_of_lanes(sum.growth_power);
+    total.released += sum_of_lanes(sum.released);
     total.stiffest_rate = std::max(total.stiffest_rate, largest_of_lanes(sum.stiffest_rate));
     total.barrier_count += std::llround(sum_of_lanes(sum.barrier_count));
 }
@@ -161,8 +172,14 @@ class LawPass final : public DeformationPass
     void run(const Block& block, const PassInput& in, BlockTerms& terms, const PassOutput& out,
              mechanics::InternalResponse& total) const override
     {
-        in.tissue.grows_plainly() ? deform<true>(law_, block, in, terms, out, total)
-                                  : deform<false>(law_, block, in, terms, out, total);
+        if constexpr (!material::HasHistory<Law>)
+        {
+            if (in.tissue.grows_plainly())
+            {
+                return deform<true>(law_, block, in, terms, out, total);
+            }
+        }
+        deform<false>(law_, block, in, terms, out, total);
     }
 
   private:

@@ -3,6 +3,7 @@
 
 #include "corticle/material/tissue_law.hpp"
 #include "corticle/mechanics/tlsph/deformation_pass.hpp"
+#include "corticle/mechanics/tlsph/remodelled_pass.hpp"
 #include "corticle/mechanics/tlsph/response.hpp"
 #include "corticle/mesh/sizes.hpp"
 
@@ -96,7 +97,9 @@ CORTICLE_EVERY_ISA void gradient_block(const Block& block, const Vec3* x, BlockT
 } // namespace
 
 TlsphSolver::TlsphSolver(const Particles& particles, const material::Tissue& tissue)
-    : TlsphSolver(particles, tissue, deformation_pass(material::tissue_law(tissue.options)))
+    : TlsphSolver(particles, tissue,
+                  tissue.remodelling == nullptr ? deformation_pass(material::tissue_law(tissue.options))
+                                                : remodelled_deformation_pass(tissue.options))
 {
 }
 

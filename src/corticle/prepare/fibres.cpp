@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/prepare/fibres.hpp"
+
+#include "corticle/base/error.hpp"
+#include "corticle/formats/volumes/nifti_vectors.hpp"
+
+#include <fmt/format.h>
+
+namespace corticle::prepare
+{
+
+namespace
+{
+
+/// What is neither cortex at the start nor labelled as another tissue.
+std::vector<double> white_share(const PreparationOptions& options, const material::TissueFields& tissue)
+{
+    std::vector<double> share =
+        material::start_tissue(tissue, options.tissue, model::cortex_size(options), options.time.start).theta;
+    for (std::size_t i = 0; i < share.size(); ++i)
+    {
+        const bool is_white = tissue.kind.empty() || tissue.kind[i] == material::TissueKind::white;
+        share[i] = is_white ? 1.0 - share[i] : 0.0;
+    }
+    return share;
+}
+
+Vec3 centroid_of(const Cloud& body)
+{
+    Vec3 sum;
+    double volume = 0.0;
+    for (std::size_t i = 0; i < body.positions.size(); ++i)
+    {
+        sum += body.volumes[i] * body.positions[i];
+        volume += body.volumes[i];
+    }
+    return (1.0 / volume) * sum;
+}
+
+/// Away from the centroid; there, where no direction is, along x.
+Vec3 radial_direction(const Vec3& from_centroid)
+{
+    const double distance = norm(from_centroid);
+    return distance > 0.0 ? (1.0 / distance) * from_centroid : Vec3{1.0, 0.0, 0.0};
+}
+
+/// Of the voxel that each place lies in; where it has no vector, or there is no voxel, there are no fibres.
+void set_fibres_of_file(const std::string& file, std::span<const Vec3> places, material::TissueFields& tissue)
+{
+    const formats::VectorVolume volume = formats::read_nifti_vectors(file);
+    const Mat3 to_index = inverse(volume.frame.linear);
+    std::size_t found = 0;
+    tissue.fibre.assign(places.size(), Vec3{1.0, 0.0, 0.0});
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+        const Vec3* const vector = volume.at(to_index * (places[i] - volume.frame.origin));
+        const double length = vector != nullptr ? norm(*vector) : 0.0;
+        tissue.white_share[i] = length > 0.0 ? tissue.white_share[i] : 0.0;
+        tissue.fibre[i] = length > 0.0 ? (1.0 / length) * *vector : tissue.fibre[i];
+        found += length > 0.0 ? 1 : 0;
+    }
+    if (found == 0)
+    {
+        throw InputError(
+            fmt::format("fibres.file {}: holds no vector at any of {} points of the body; expected some in "
+                        "the coordinates of the body",
+                        file, places.size()));
+    }
+}
+
+} // namespace
+
+void set_fibres(const PreparationOptions& options, const Cloud& body, std::span<const Vec3> places,
+                material::TissueFields& tissue)
+{
+    const material::RemodellingOptions& remodelling = options.tissue.remodelling;
+    if (remodelling.has_fibres() || remodelling.stress_growth.rate > 0.0)
+    {
+        tissue.white_share = white_share(options, tissue);
+    }
+    if (remodelling.fibres.direction == material::FibreField::radial)
+    {
+        const Vec3 centroid = centroid_of(body);
+        for (const Vec3& place : places)
+        {
+            tissue.fibre.push_back(radial_direction(place - centroid));
+        }
+    }
+    if (remodelling.fibres.direction == material::FibreField::depth)
+    {
+        tissue.fibre = tissue.normal; // the gradient of the distance to the surface, whose sign does not matter
+    }
+    if (remodelling.fibres.direction == material::FibreField::file)
+    {
+        set_fibres_of_file(options.fibre_file, places, tissue);
+    }
+}
+
+} // namespace corticle::prepare

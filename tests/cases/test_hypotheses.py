@@ -1,0 +1,45 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Each of cases/hypotheses and cases/disorders, at 4,000 particles and to its end, against its own [expect]."""
+
+import csv
+import json
+import sys
+import tomllib
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "cli"))
+
+import _command  # noqa: E402
+
+PARTICLES = 4000
+
+
+def settings_of(bench, case):
+    settings = [f"geometry.particles={PARTICLES}", "output.pictures=off", "output.report=off"]
+    if case["geometry"]["shape"] == "file":
+        bench.accepted("new", "brain")
+        settings.append(f"geometry.file={bench.folder / 'brain.nii.gz'}")
+    return [word for setting in settings for word in ("--set", setting)]
+
+
+def case_test(file):
+    def test(bench):
+        case = tomllib.loads(file.read_text(encoding="utf-8"))
+        bench.accepted("run", file, "--out", "run", "--quiet", *settings_of(bench, case), timeout=900)
+        summary = json.loads((bench.folder / "run" / "summary.json").read_text(encoding="utf-8"))
+        bench.check(summary["status"] == "completed", f"{file.name}: {summary['status']}")
+        for key, (low, high) in case["expect"].items():
+            bench.check(low <= summary[key] <= high, f"{file.name}: {key} is {summary[key]}, expected {low} to {high}")
+        with open(bench.folder / "run" / "measures.csv", encoding="utf-8", newline="") as stream:
+            rows = [{key.split(" ")[0]: float(value) for key, value in row.items()} for row in csv.DictReader(stream)]
+        bench.check(min(row["J_min"] for row in rows) > 0, f"{file.name}: a particle is inverted")
+        bench.check(rows[-1]["intersecting_triangles"] == 0, f"{file.name}: surfaces cross")
+    return test
+
+
+if __name__ == "__main__":
+    here = Path(__file__).resolve().parents[2]
+    source = Path(sys.argv[sys.argv.index("--source") + 1]).resolve() if "--source" in sys.argv[:-1] else here
+    files = [*sorted((source / "cases" / "hypotheses").glob("*.toml")), *sorted((source / "cases" / "disorders").glob("*.toml"))]
+    _command.main(__doc__, *map(case_test, files))
