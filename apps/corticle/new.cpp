@@ -54,11 +54,12 @@ void write_new(const std::string& name, std::string_view text)
     fmt::print("wrote {}\n", name);
 }
 
-/// The built-in brain: brain.nii.gz and brain.toml in the present folder.
+/// The built-in brain: brain.nii.gz, its lobes and brain.toml in the present folder.
 void write_brain()
 {
     constexpr const char* image = "brain.nii.gz";
-    for (const char* name : {image, "brain.toml"})
+    constexpr const char* lobes = "brain_lobes.nii.gz";
+    for (const char* name : {image, lobes, "brain.toml"})
     {
         std::error_code error;
         if (std::filesystem::exists(std::filesystem::symlink_status(name, error)))
@@ -68,6 +69,8 @@ void write_brain()
     }
     formats::write_nifti(image, imaging::make_brain_phantom({}));
     fmt::print("wrote {}\n", image);
+    formats::write_nifti(lobes, imaging::make_phantom_lobes({}));
+    fmt::print("wrote {}: 1 frontal, 2 parietal, 3 temporal, 4 occipital on the left; 11 to 14 on the right\n", lobes);
     write_new("brain.toml", brain_case);
 }
 

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 namespace corticle
 {
@@ -55,6 +56,35 @@ TEST(Phantom, IsSymmetricAndHasAllTissues)
         const auto begin = image.labels.begin() + static_cast<std::ptrdiff_t>(row);
         EXPECT_TRUE(std::equal(begin, begin + image.size[0], std::make_reverse_iterator(begin + image.size[0])));
     }
+}
+
+TEST(Phantom, HasLobesThatMirrorEachOther)
+{
+    const imaging::LabelVolume lobes = imaging::make_phantom_lobes({32.0, 1.0});
+    ASSERT_EQ(lobes.size, imaging::make_brain_phantom({32.0, 1.0}).size);
+    for (std::size_t k = 0; k < lobes.labels.size(); ++k)
+    {
+        const auto [x, y, z] = std::array{k % lobes.size[0], k / lobes.size[0] % lobes.size[1],
+                                          k / (lobes.size[0] * lobes.size[1])};
+        const std::size_t mirrored = k - x + (lobes.size[0] - 1 - x);
+        const Vec3 p = lobes.frame.position({static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)});
+        ASSERT_TRUE(p.x == 0.0 || (lobes.labels[k] < 10) == (p.x < 0.0)); // RAS: x to the right
+        ASSERT_TRUE(p.x >= 0.0 || lobes.labels[mirrored] == lobes.labels[k] + 10);
+    }
+    for (const std::int32_t lobe : {1, 2, 3, 4})
+    {
+        EXPECT_GT(std::ranges::count(lobes.labels, lobe), 500) << lobe;
+    }
+    const auto at = [&](const Vec3& p) // of the phantom of 32 mm
+    {
+        const Vec3 index = p - lobes.frame.origin;
+        const auto place = static_cast<std::size_t>(index.x + lobes.size[0] * (index.y + lobes.size[1] * index.z));
+        return lobes.labels.at(place);
+    };
+    EXPECT_EQ(at({-5.0, 14.0, 2.0}), 1);
+    EXPECT_EQ(at({5.0, -14.0, 2.0}), 14);
+    EXPECT_EQ(at({-10.0, 0.0, -6.0}), 3);
+    EXPECT_EQ(at({6.0, 0.0, 12.0}), 12);
 }
 
 TEST(Phantom, RefusesAbsurdSizes)

@@ -74,5 +74,25 @@ TEST(FoldPattern, ItselfIsRightAndItsMirrorImageIsNot)
     EXPECT_NEAR(pattern.scores[1].depth, 0.0, 1e-6); // the first body knows nothing beyond itself
 }
 
+/// A groove about the waist, narrower than anything else: the largest curvature of all is that of its floor, and negative.
+TriangleMesh grooved(TriangleMesh mesh)
+{
+    for (Vec3& x : mesh.vertices)
+    {
+        x = (1.0 - 0.35 * std::exp(-x.y * x.y / 15.0)) * x;
+    }
+    return mesh;
+}
+
+TEST(FoldPattern, AFissureOfTheFirstBodyLeavesTheRestToTell)
+{
+    const TriangleMesh first = grooved(plain());
+    const TriangleMesh real = grooved(folded(0.04));
+    const TriangleMesh run = grooved(folded(0.037));
+    const FoldPattern pattern = fold_pattern(view(first), view(run), view(real));
+    EXPECT_GT(pattern.scores[0].depth, 0.9);
+    EXPECT_GT(pattern.scores[0].curvature, 0.9);
+}
+
 } // namespace
 } // namespace corticle::metrics

@@ -127,7 +127,8 @@ def patterns(arguments, folder):
     """Scores of where the folds are, by real brain; [] without later brains."""
     if not arguments.later:
         return []
-    words = [str(arguments.command), "compare", str(folder), *arguments.later, "--labels", arguments.labels, "--json"]
+    words = [str(arguments.command), "compare", str(folder), *arguments.later, "--labels", arguments.labels, "--json",
+             "--out", f"{Path(arguments.out)}_and_real", "--overwrite"]
     done = subprocess.run(words, check=True, capture_output=True, text=True)
     return [{"name": f"week {entry['week']:g}", **entry["pattern"]} for entry in json.loads(done.stdout)["reals"] if "pattern" in entry]
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -96,9 +97,19 @@ std::int32_t label_at(const Vec3& p)
     return thalamus.distance(p) <= 0.0 ? phantom_label::deep : phantom_label::white;
 }
 
-} // namespace
+std::int32_t lobe_at(const Vec3& p)
+{
+    constexpr std::int32_t on_the_right = 10;
+    const Vec3 mirrored{std::abs(p.x), p.y, p.z};
+    const std::array distances{frontal_lobe.distance(mirrored), parietal_lobe.distance(mirrored),
+                               temporal_lobe.distance(mirrored), occipital_lobe.distance(mirrored)};
+    const auto nearest = static_cast<std::int32_t>(std::ranges::min_element(distances) - distances.begin());
+    return nearest + 1 + (p.x < 0.0 ? 0 : on_the_right);
+}
 
-LabelVolume make_brain_phantom(const PhantomOptions& options)
+/// The image of the phantom with, for each voxel, what `label` says of its place in the brain of nominal length.
+template <class Label>
+LabelVolume make_image(const PhantomOptions& options, const Label& label)
 {
     constexpr double most_voxels = 5e8;
     const double scale = options.length_mm / nominal_length;
@@ -126,9 +137,21 @@ LabelVolume make_brain_phantom(const PhantomOptions& options)
                      const Vec3 index{static_cast<double>(k % image.size[0]), static_cast<double>(row % image.size[1]),
                                       static_cast<double>(layer)};
                      const Vec3 p = image.frame.position(index) / scale;
-                     image.labels[k] = label_at({std::abs(p.x), p.y, p.z});
+                     image.labels[k] = label(p);
                  });
     return image;
+}
+
+} // namespace
+
+LabelVolume make_brain_phantom(const PhantomOptions& options)
+{
+    return make_image(options, [](const Vec3& p) { return label_at({std::abs(p.x), p.y, p.z}); });
+}
+
+LabelVolume make_phantom_lobes(const PhantomOptions& options)
+{
+    return make_image(options, lobe_at);
 }
 
 } // namespace corticle::imaging

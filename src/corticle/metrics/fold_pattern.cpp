@@ -168,10 +168,11 @@ class Carrier
 std::vector<double> taken_out(std::span<const double> values, std::span<const double> known,
                               std::span<const double> weights)
 {
-    const double scale = std::max(1e-300, *std::ranges::max_element(known, {}, [](double k) { return std::abs(k); }));
+    const auto size_of = [](double k) { return std::abs(k); };
+    const double scale = std::max(1e-300, size_of(*std::ranges::max_element(known, {}, size_of)));
     const auto powers = [&](std::size_t v)
     {
-        const double k = known[v] / std::abs(scale);
+        const double k = known[v] / scale;
         return Eigen::Vector4d(1.0, k, k * k, k * k * k);
     };
     Eigen::Matrix4d A = Eigen::Matrix4d::Zero();
@@ -214,7 +215,7 @@ double correlation(std::span<const double> a, std::span<const double> b, std::sp
         bb += weights[v] * (b[v] - mean_b) * (b[v] - mean_b);
         ab += weights[v] * (a[v] - mean_a) * (b[v] - mean_b);
     }
-    return aa * bb > 1e-24 * total * total ? ab / std::sqrt(aa * bb) : 0.0;
+    return aa * bb <= 1e-24 * total * total ? 0.0 : ab / std::sqrt(aa * bb); // NaN stays NaN
 }
 
 double sulcal_dice(std::span<const double> a, std::span<const double> b, std::span<const double> weights)
