@@ -54,4 +54,29 @@ TEST(Starter, ItsWeeksAreValid)
     }
 }
 
+TEST(Starter, WeeksTakenOutOfTheirCommentsEverywhereAreThoseOfTheRun)
+{
+    std::string text = config::starter_case(prepare::Shape::sphere);
+    replace(text, "clock = \"none\"", "clock = \"wang\"");
+    replace(text, "start = ", "# start = ");
+    replace(text, "end = ", "# end = ");
+    for (const std::string key : {"start_week", "end_week"}) // as an editor does: every line that begins so
+    {
+        for (std::size_t at = 0; (at = text.find("\n# " + key + " =", at)) != std::string::npos;)
+        {
+            text.erase(at + 1, 2);
+        }
+    }
+    EXPECT_EQ(parsed(text).time.start_week, 23.0);
+}
+
+TEST(Starter, ATableOfAListIsValidOnceItIsNoComment)
+{
+    std::string text = config::starter_case(prepare::Shape::sphere);
+    replace(text, "# [[support]]", "[[support]]");
+    replace(text, "#   kind = ", "  kind = ");
+    replace(text, "#   plane = ", "  plane = ");
+    EXPECT_EQ(parsed(text).supports.size(), 1U);
+}
+
 } // namespace corticle

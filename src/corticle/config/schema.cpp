@@ -140,19 +140,26 @@ std::string starter_case(prepare::Shape shape)
     options.geometry.file = shape == prepare::Shape::file ? "surface.stl" : "";
     std::string text = "# A starter case: every key with its default. Delete what you do not change.\n"
                        "# `corticle check` prints what a case comes to, `corticle run` runs it.\n";
+    bool is_of_list = false; // a list of tables is empty in a starter: one of its tables stands there as a comment
     each_kind_of_parameter(
-        [&](const std::string& table) { text += fmt::format("\n{}{}\n", table.starts_with("[[") ? "# " : "", table); },
+        [&](const std::string& table)
+        {
+            is_of_list = table.starts_with("[[");
+            text += fmt::format("\n{}{}\n", is_of_list ? "# " : "", table);
+        },
         [&](const Parameter& parameter)
         {
+            const char* const indent = is_of_list ? "#   " : "";
             const std::string value = toml_text(parameter.get(options));
             const std::string range = range_column(parameter, "\", \"");
-            text += fmt::format("# {}{}{}\n", parameter.sentence,
+            text += fmt::format("{}# {}{}{}\n", indent, parameter.sentence,
                                 parameter.unit.empty() ? "" : " Unit: " + parameter.unit + ".",
                                 range.empty() ? "" : " Range: " + range + ".");
             const std::string elsewhere = default_text(parameter);
             const std::string& example = elsewhere.empty() ? parameter.example : elsewhere;
-            text += fmt::format("{}{} = {}\n", value.empty() || is_of_other_shape(parameter, shape) ? "# " : "",
-                                parameter.name(), value.empty() ? example : value);
+            const bool is_comment = !is_of_list && (value.empty() || is_of_other_shape(parameter, shape));
+            text += fmt::format("{}{}{} = {}\n", indent, is_comment ? "# " : "", parameter.name(),
+                                value.empty() ? example : value);
         });
     return text;
 }
