@@ -72,6 +72,23 @@ def bodies(bench):
     near(rows(bench, "start")[0]["inner_area_mm2"], inside, 0.1 * inside, "area of the inner surface") # its rim is rounded
 
 
+def graded(bench):
+    """The spacing grows below the labelled plate: from 2.4 mm (less what 95 % do not exceed) and some spacings on."""
+    bench.write("ball.nii", ball())
+    bench.write("ball.toml", CASE.replace("particles = 3000", "spacing_mm = 0.75"))
+    numbers = {}
+    for name, grading in (("uniform", "1"), ("graded", "2")):
+        bench.accepted("prepare", "ball.toml", "--out", name, "--quiet", "--set", f"geometry.grading={grading}")
+        numbers[name] = json.loads((bench.folder / name / "preparation.json").read_text(encoding="utf-8"))
+    ratio = numbers["graded"]["particles"] / numbers["uniform"]["particles"]
+    bench.check(0.5 < ratio < 0.92, f"graded body has {ratio:.3f} of the particles")
+    cortex = [numbers[name]["tissues"]["volume_mm3"]["cortex"] for name in ("uniform", "graded")]
+    bench.check(abs(cortex[1] / cortex[0] - 1) < 0.01, f"graded: volume of the cortex {cortex[1]}, uniform {cortex[0]}")
+    bench.accepted("run", "ball.toml", "--out", "direct", "--quiet", "--set", "geometry.grading=2")
+    bench.accepted("run", "ball.toml", "--out", "prepared", "--body", "graded", "--quiet", "--set", "geometry.grading=2")
+    check_same(bench, "direct", "prepared", "graded by labels, from its prepared body")
+
+
 def runs(bench):
     bench.write("ball.nii", ball())
     bench.write("ball.toml", CASE)
@@ -133,4 +150,4 @@ def refusals(bench):
 
 
 if __name__ == "__main__":
-    _command.main(__doc__, bodies, runs, tables, refusals)
+    _command.main(__doc__, bodies, graded, runs, tables, refusals)

@@ -144,6 +144,21 @@ void complete_labelled_tissue(const PreparationOptions& options, material::Tissu
     }
 }
 
+double largest_labelled_thickness(const PreparationOptions& options, std::span<const Vec3> vertices)
+{
+    constexpr double part = 0.95; // single places deeper, where the banks of a sulcus are one in the labels
+    std::vector<std::string> notes; // given when the tissue itself is read
+    std::vector<double> thickness = read_tissues(options, notes).at(vertices).cortex_inside;
+    std::erase_if(thickness, [](double inside) { return inside <= 0.0; });
+    if (thickness.empty())
+    {
+        return 0.0;
+    }
+    const auto place = thickness.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(thickness.size() - 1));
+    std::ranges::nth_element(thickness, place);
+    return *place;
+}
+
 double labelled_thickness(const model::Model& model)
 {
     const CortexBelow sums = cortex_below_surface(model);

@@ -113,7 +113,10 @@ GradedResolution graded_resolution(const PreparationOptions& options, const Body
     const TriangleMesh surface = rough_surface(options, source);
     const geometry::SurfaceTree tree(surface.vertices, surface.triangles);
     const cloud::DepthProfile profile(tree);
-    const cloud::Grading grading = grading_of(options, source.map_surface, fitted_semi_axes(surface.vertices));
+    const cloud::Grading grading =
+        has_labelled_cortex(options)
+            ? cloud::Grading{options.geometry.grading, largest_labelled_thickness(options, surface.vertices)}
+            : grading_of(options, source.map_surface, fitted_semi_axes(surface.vertices));
     return {resolve_resolution(options, source.volume, source.area, &profile, grading), grading};
 }
 

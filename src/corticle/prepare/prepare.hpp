@@ -45,7 +45,7 @@ struct Resolution
 Resolution resolve_resolution(const PreparationOptions& options, double volume_mm3, double area_mm2,
                               const cloud::DepthProfile* profile = nullptr, const cloud::Grading& grading = {});
 
-/// How the spacing grows with depth.
+/// How the spacing grows with depth, where no labels say how thick the cortex is.
 /// @param map_surface  whose vertices a map of the thickness refers to
 /// @param extents      semi-axes of the body [mm]
 cloud::Grading grading_of(const PreparationOptions& options, const TriangleMesh& map_surface,

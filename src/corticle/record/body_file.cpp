@@ -107,10 +107,10 @@ material::TissueFields stored_tissue(const Checkpoint& image, const std::string&
     return tissue;
 }
 
-/// Thickness of the cortex that the spacing is graded for [mm]; of a map, which goes by its checksum, 0.
+/// Thickness of the cortex that the spacing is graded for [mm]; of a map or of labels, which go by their checksums, 0.
 double graded_thickness(const config::Options& options, const model::Model& model)
 {
-    return options.map.thickness_file.empty()
+    return options.map.thickness_file.empty() && !prepare::has_labelled_cortex(options)
                ? prepare::grading_of(options, {}, prepare::fitted_semi_axes(model.surface.vertices)).cortex_mm
                : 0.0;
 }
