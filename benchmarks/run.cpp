@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "benchmarks/counters.hpp"
 #include "corticle/config/case_file.hpp"
-#include "corticle/config/options.hpp"
+#include "corticle/config/parameters/options.hpp"
 #include "corticle/model/simulation.hpp"
 #include "corticle/prepare/prepare.hpp"
 #include "corticle/record/checkpointing.hpp"

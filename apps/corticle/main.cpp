@@ -169,7 +169,8 @@ void add_new(CLI::App& app, Verb& chosen)
 {
     auto arguments = std::make_shared<NewArguments>();
     CLI::App* verb = app.add_subcommand("new", "Write a commented starter case, or a phantom brain; never overwrites");
-    verb->add_option("case", arguments->what, "Case to write; brain: the phantom, as brain.nii.gz, its lobes and brain.toml")
+    verb->add_option("case", arguments->what,
+                     "Case to write; brain: the phantom, as brain.nii.gz, its lobes and brain.toml")
         ->type_name("NAME.toml|brain")
         ->required();
     add_choice(*verb, "--shape", arguments->shape, "sphere, ellipsoid or file")->type_name("SHAPE");

@@ -3,7 +3,7 @@
 #include "corticle/config/case_checks.hpp"
 #include "corticle/config/case_file.hpp"
 #include "corticle/config/case_text.hpp"
-#include "corticle/config/parameters.hpp"
+#include "corticle/config/parameters/parameters.hpp"
 #include "corticle/record/run_files.hpp"
 #include "module.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "arrays.hpp"
 #include "corticle/base/error.hpp"
-#include "corticle/config/choices.hpp"
+#include "corticle/config/parameters/choices.hpp"
 #include "corticle/formats/surfaces/surface_reader.hpp"
 #include "corticle/formats/surfaces/surface_writer.hpp"
 #include "corticle/formats/volumes/nifti.hpp"

@@ -64,8 +64,8 @@ TEST(Phantom, HasLobesThatMirrorEachOther)
     ASSERT_EQ(lobes.size, imaging::make_brain_phantom({32.0, 1.0}).size);
     for (std::size_t k = 0; k < lobes.labels.size(); ++k)
     {
-        const auto [x, y, z] = std::array{k % lobes.size[0], k / lobes.size[0] % lobes.size[1],
-                                          k / (lobes.size[0] * lobes.size[1])};
+        const auto [x, y, z] =
+            std::array{k % lobes.size[0], k / lobes.size[0] % lobes.size[1], k / (lobes.size[0] * lobes.size[1])};
         const std::size_t mirrored = k - x + (lobes.size[0] - 1 - x);
         const Vec3 p = lobes.frame.position({static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)});
         ASSERT_TRUE(p.x == 0.0 || (lobes.labels[k] < 10) == (p.x < 0.0)); // RAS: x to the right

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/metrics/curvature.hpp"
+#include "corticle/metrics/surface/curvature.hpp"
 
 #include "corticle/metrics/surface_measures.hpp"
 #include "metrics/turned_surfaces.hpp"

@@ -74,7 +74,8 @@ TEST(FoldPattern, ItselfIsRightAndItsMirrorImageIsNot)
     EXPECT_NEAR(pattern.scores[1].depth, 0.0, 1e-6); // the first body knows nothing beyond itself
 }
 
-/// A groove about the waist, narrower than anything else: the largest curvature of all is that of its floor, and negative.
+/// A groove about the waist, narrower than anything else: the largest curvature of all is that of its floor, and
+/// negative.
 TriangleMesh grooved(TriangleMesh mesh)
 {
     for (Vec3& x : mesh.vertices)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/base/error.hpp"
 #include "corticle/geometry/hull.hpp"
-#include "corticle/metrics/local_gyrification.hpp"
-#include "corticle/metrics/zilles.hpp"
+#include "corticle/metrics/surface/local_gyrification.hpp"
+#include "corticle/metrics/surface/zilles.hpp"
 #include "metrics/turned_surfaces.hpp"
 
 #include <fmt/format.h>

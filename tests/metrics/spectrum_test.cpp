@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/metrics/spectrum.hpp"
+#include "corticle/metrics/surface/spectrum.hpp"
 
-#include "corticle/metrics/spherical_harmonics.hpp"
-#include "corticle/metrics/tridiagonal.hpp"
+#include "corticle/metrics/surface/spherical_harmonics.hpp"
+#include "corticle/metrics/surface/tridiagonal.hpp"
 #include "metrics/turned_surfaces.hpp"
 
 #include <fmt/format.h>

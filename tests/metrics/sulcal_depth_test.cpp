@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/metrics/sulcal_depth.hpp"
+#include "corticle/metrics/surface/sulcal_depth.hpp"
 
 #include "corticle/geometry/hull.hpp"
 #include "metrics/turned_surfaces.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/metrics/sulcal_pits.hpp"
+#include "corticle/metrics/surface/sulcal_pits.hpp"
 
 #include "corticle/geometry/hull.hpp"
-#include "corticle/metrics/sulcal_depth.hpp"
+#include "corticle/metrics/surface/sulcal_depth.hpp"
 #include "metrics/turned_surfaces.hpp"
 
 #include <gtest/gtest.h>

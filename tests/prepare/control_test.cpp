@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/config/options.hpp"
+#include "corticle/config/parameters/options.hpp"
 #include "corticle/prepare/prepare.hpp"
 
 #include <gtest/gtest.h>

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Each source names its licence, stays under 400 lines, and leaves threads to base/parallel.hpp."""
+"""Each source names its licence, stays under 400 lines, and leaves threads to base/parallel.hpp; folders stay under 4,000."""
 
+import collections
 import re
 
 from _project import cpp_files, finish, parse_arguments
 
 LICENCE = "SPDX-License-Identifier: GPL-3.0-or-later"
 LONGEST = 400
+LARGEST = 4000  # lines of the sources of one folder, without those below it
 THREADS = re.compile(r"^\s*#\s*(pragma\s+omp\s+(?!simd|declare\s+simd)|include\s*<(omp\.h|thread)>)", re.MULTILINE)
 MAY_KNOW_THREADS = ("src/corticle/base/parallel.hpp",)
 
@@ -34,10 +36,20 @@ def check(path, source):
         yield f"{name}:{line}: only base/parallel.hpp knows threads"
 
 
+def check_folders(files, source):
+    lines = collections.Counter()
+    for path in files:
+        lines[path.parent] += len(path.read_text(encoding="utf-8").splitlines())
+    for folder, count in lines.items():
+        if count > LARGEST:
+            yield f"{folder.relative_to(source).as_posix()}: {count} lines, more than {LARGEST}: split it by concept"
+
+
 def main():
     source = parse_arguments(__doc__).source
     files = cpp_files(source) + other_sources(source)
-    finish([problem for path in files for problem in check(path, source)], len(files), "faults")
+    problems = [problem for path in files for problem in check(path, source)]
+    finish([*problems, *check_folders(files, source)], len(files), "faults")
 
 
 main()

@@ -2,7 +2,7 @@
 #include "corticle/config/case_checks.hpp"
 
 #include "corticle/base/error.hpp"
-#include "corticle/config/parameters.hpp"
+#include "corticle/config/parameters/parameters.hpp"
 #include "corticle/config/remodelling_keys.hpp"
 #include "corticle/config/tissue_keys.hpp"
 #include "corticle/prepare/body_maps.hpp"

@@ -7,7 +7,7 @@
 #include "corticle/config/case_inputs.hpp"
 #include "corticle/config/case_text.hpp"
 #include "corticle/config/formulation_keys.hpp"
-#include "corticle/config/parameters.hpp"
+#include "corticle/config/parameters/parameters.hpp"
 #include "corticle/config/thickness_keys.hpp"
 #include "corticle/config/toml_document.hpp"
 #include "corticle/config/week_keys.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/config/options.hpp"
-#include "corticle/config/value.hpp"
+#include "corticle/config/parameters/options.hpp"
+#include "corticle/config/parameters/value.hpp"
 
 #include <span>
 #include <string_view>

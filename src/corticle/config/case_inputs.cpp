@@ -2,7 +2,7 @@
 #include "corticle/config/case_inputs.hpp"
 
 #include "corticle/base/error.hpp"
-#include "corticle/config/parameters.hpp"
+#include "corticle/config/parameters/parameters.hpp"
 #include "corticle/formats/sha256.hpp"
 
 #include <fmt/format.h>

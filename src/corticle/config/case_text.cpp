@@ -2,7 +2,7 @@
 #include "corticle/config/case_text.hpp"
 
 #include "corticle/base/error.hpp"
-#include "corticle/config/value.hpp"
+#include "corticle/config/parameters/value.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #include "corticle/config/formulation_keys.hpp"
 
 #include "corticle/base/error.hpp"
-#include "corticle/config/parameters.hpp"
+#include "corticle/config/parameters/parameters.hpp"
 
 #include <fmt/format.h>
 

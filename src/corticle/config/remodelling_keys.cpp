@@ -2,8 +2,8 @@
 #include "corticle/config/remodelling_keys.hpp"
 
 #include "corticle/base/error.hpp"
-#include "corticle/config/parameters.hpp"
-#include "corticle/config/remodelling_parameters.hpp"
+#include "corticle/config/parameters/parameters.hpp"
+#include "corticle/config/parameters/remodelling_parameters.hpp"
 
 #include <fmt/format.h>
 

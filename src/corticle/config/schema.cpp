@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/config/case_file.hpp"
 #include "corticle/config/case_inputs.hpp"
-#include "corticle/config/parameters.hpp"
-#include "corticle/config/remodelling_parameters.hpp"
+#include "corticle/config/parameters/parameters.hpp"
+#include "corticle/config/parameters/remodelling_parameters.hpp"
 #include "corticle/config/starter.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/base/error.hpp"
 #include "corticle/config/boundary_keys.hpp"
-#include "corticle/config/parameters.hpp"
+#include "corticle/config/parameters/parameters.hpp"
 #include "corticle/mechanics/boundary/skull.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/config/value.hpp"
+#include "corticle/config/parameters/value.hpp"
 
 #include <optional>
 

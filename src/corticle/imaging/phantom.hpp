@@ -28,8 +28,8 @@ struct PhantomOptions
 /// @throws InputError for sizes that are not positive, or make more than 5 * 10^8 voxels.
 LabelVolume make_brain_phantom(const PhantomOptions& options);
 
-/// Lobes of the phantom, for every voxel of its image, body or not: 1 frontal, 2 parietal, 3 temporal, 4 occipital on the
-/// left (x < 0), 11 to 14 on the right. A voxel belongs to the lobe whose ellipsoid is nearest.
+/// Lobes of the phantom, for every voxel of its image, body or not: 1 frontal, 2 parietal, 3 temporal, 4 occipital on
+/// the left (x < 0), 11 to 14 on the right. A voxel belongs to the lobe whose ellipsoid is nearest.
 /// @throws InputError as make_brain_phantom().
 LabelVolume make_phantom_lobes(const PhantomOptions& options);
 

@@ -4,10 +4,10 @@
 #include "corticle/geometry/alpha_wrap.hpp"
 #include "corticle/geometry/hull.hpp"
 #include "corticle/mesh/sizes.hpp"
-#include "corticle/metrics/local_gyrification.hpp"
-#include "corticle/metrics/spectrum.hpp"
-#include "corticle/metrics/sulcal_depth.hpp"
-#include "corticle/metrics/sulcal_pits.hpp"
+#include "corticle/metrics/surface/local_gyrification.hpp"
+#include "corticle/metrics/surface/spectrum.hpp"
+#include "corticle/metrics/surface/sulcal_depth.hpp"
+#include "corticle/metrics/surface/sulcal_pits.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "corticle/metrics/asymmetry.hpp"
-#include "corticle/metrics/curvature.hpp"
-#include "corticle/metrics/zilles.hpp"
+#include "corticle/metrics/surface/curvature.hpp"
+#include "corticle/metrics/surface/zilles.hpp"
 
 #include <optional>
 #include <string_view>

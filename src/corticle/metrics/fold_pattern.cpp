@@ -6,9 +6,9 @@
 #include "corticle/geometry/hull.hpp"
 #include "corticle/geometry/surface_tree.hpp"
 #include "corticle/mesh/sizes.hpp"
-#include "corticle/metrics/curvature.hpp"
-#include "corticle/metrics/sulcal_pits.hpp"
-#include "corticle/metrics/vertex_adjacency.hpp"
+#include "corticle/metrics/surface/curvature.hpp"
+#include "corticle/metrics/surface/sulcal_pits.hpp"
+#include "corticle/metrics/surface/vertex_adjacency.hpp"
 
 #include <Eigen/Dense>
 #include <fmt/format.h>

@@ -2,8 +2,8 @@
 #include "corticle/metrics/surface_arrays.hpp"
 
 #include "corticle/metrics/cortical_thickness.hpp"
-#include "corticle/metrics/spectrum.hpp"
-#include "corticle/metrics/spherical_harmonics.hpp"
+#include "corticle/metrics/surface/spectrum.hpp"
+#include "corticle/metrics/surface/spherical_harmonics.hpp"
 
 namespace corticle::metrics
 {

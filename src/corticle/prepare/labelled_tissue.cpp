@@ -146,7 +146,7 @@ void complete_labelled_tissue(const PreparationOptions& options, material::Tissu
 
 double largest_labelled_thickness(const PreparationOptions& options, std::span<const Vec3> vertices)
 {
-    constexpr double part = 0.95; // single places deeper, where the banks of a sulcus are one in the labels
+    constexpr double part = 0.95;   // single places deeper, where the banks of a sulcus are one in the labels
     std::vector<std::string> notes; // given when the tissue itself is read
     std::vector<double> thickness = read_tissues(options, notes).at(vertices).cortex_inside;
     std::erase_if(thickness, [](double inside) { return inside <= 0.0; });
@@ -154,7 +154,8 @@ double largest_labelled_thickness(const PreparationOptions& options, std::span<c
     {
         return 0.0;
     }
-    const auto place = thickness.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(thickness.size() - 1));
+    const auto place =
+        thickness.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(thickness.size() - 1));
     std::ranges::nth_element(thickness, place);
     return *place;
 }

@@ -2,7 +2,7 @@
 #include "corticle/record/summary.hpp"
 
 #include "corticle/base/version.hpp"
-#include "corticle/config/parameters.hpp"
+#include "corticle/config/parameters/parameters.hpp"
 #include "corticle/metrics/measure_table.hpp"
 
 #include <fmt/format.h>

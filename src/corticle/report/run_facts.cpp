@@ -3,7 +3,7 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/config/case_file.hpp"
-#include "corticle/config/parameters.hpp"
+#include "corticle/config/parameters/parameters.hpp"
 #include "corticle/metrics/measure_table.hpp"
 #include "corticle/report/methods_text.hpp"
 #include "corticle/report/plain_text.hpp"

@@ -2,7 +2,7 @@
 #include "corticle/report/sweep_report.hpp"
 
 #include "corticle/base/error.hpp"
-#include "corticle/config/parameters.hpp"
+#include "corticle/config/parameters/parameters.hpp"
 #include "corticle/report/body.hpp"
 #include "corticle/report/plain_text.hpp"
 #include "corticle/report/run_facts.hpp"

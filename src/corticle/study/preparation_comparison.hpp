@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/config/options.hpp"
+#include "corticle/config/parameters/options.hpp"
 #include "corticle/formats/field.hpp"
 #include "corticle/model/model.hpp"
 #include "corticle/study/regularity.hpp"

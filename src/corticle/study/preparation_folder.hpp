@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/config/options.hpp"
+#include "corticle/config/parameters/options.hpp"
 
 #include <filesystem>
 #include <string>

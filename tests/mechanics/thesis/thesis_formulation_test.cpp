@@ -2,7 +2,7 @@
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
 #include "corticle/config/case_file.hpp"
-#include "corticle/config/options.hpp"
+#include "corticle/config/parameters/options.hpp"
 #include "corticle/prepare/prepare.hpp"
 #include "corticle/record/checkpointing.hpp"
 #include "mechanics/tlsph/small_body.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "corticle/base/random.hpp"
-#include "corticle/config/options.hpp"
+#include "corticle/config/parameters/options.hpp"
 #include "corticle/model/simulation.hpp"
 #include "corticle/prepare/prepare.hpp"
 

@@ -3,7 +3,7 @@
 #include "corticle/view/pictures.hpp"
 
 #include "corticle/base/version.hpp"
-#include "corticle/config/choices.hpp"
+#include "corticle/config/parameters/choices.hpp"
 #include "corticle/metrics/comparison.hpp"
 #include "corticle/study/markdown.hpp"
 

@@ -2,7 +2,7 @@
 #include "corticle/study/fit/quantity.hpp"
 
 #include "corticle/base/error.hpp"
-#include "corticle/config/choices.hpp"
+#include "corticle/config/parameters/choices.hpp"
 #include "corticle/formats/text_scan.hpp"
 #include "corticle/metrics/measure_table.hpp"
 #include "corticle/record/summary.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/config/choices.hpp"
+#include "corticle/config/parameters/choices.hpp"
 #include "corticle/study/sweep/sweep_place.hpp"
 
 namespace corticle::sweep

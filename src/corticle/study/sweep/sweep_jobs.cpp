@@ -5,7 +5,7 @@
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
 #include "corticle/config/case_checks.hpp"
-#include "corticle/config/parameters.hpp"
+#include "corticle/config/parameters/parameters.hpp"
 #include "corticle/record/folder_lock.hpp"
 #include "corticle/study/interruption.hpp"
 #include "corticle/study/sweep/command_process.hpp"

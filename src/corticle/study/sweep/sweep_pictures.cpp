@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/base/error.hpp"
-#include "corticle/config/parameters.hpp"
+#include "corticle/config/parameters/parameters.hpp"
 #include "corticle/record/run_reader.hpp"
 #include "corticle/study/sweep/sweep_table.hpp"
 #include "corticle/view/pictures.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/base/version.hpp"
-#include "corticle/config/parameters.hpp"
+#include "corticle/config/parameters/parameters.hpp"
 #include "corticle/study/markdown.hpp"
 #include "corticle/study/sweep/sweep_table.hpp"
 

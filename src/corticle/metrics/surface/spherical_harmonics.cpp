@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/metrics/spherical_harmonics.hpp"
+#include "corticle/metrics/surface/spherical_harmonics.hpp"
 
 #include "corticle/base/parallel.hpp"
 

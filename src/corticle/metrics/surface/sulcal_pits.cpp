@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/metrics/sulcal_pits.hpp"
+#include "corticle/metrics/surface/sulcal_pits.hpp"
 
-#include "corticle/metrics/vertex_adjacency.hpp"
+#include "corticle/metrics/surface/vertex_adjacency.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/metrics/local_gyrification.hpp"
+#include "corticle/metrics/surface/local_gyrification.hpp"
 
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/metrics/sulcal_depth.hpp"
+#include "corticle/metrics/surface/sulcal_depth.hpp"
 
 #include "corticle/base/parallel.hpp"
-#include "corticle/metrics/vertex_adjacency.hpp"
+#include "corticle/metrics/surface/vertex_adjacency.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "corticle/base/error.hpp"
-#include "corticle/config/options.hpp"
-#include "corticle/config/value.hpp"
+#include "corticle/config/parameters/options.hpp"
+#include "corticle/config/parameters/value.hpp"
 
 #include <array>
 #include <functional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/config/value.hpp"
+#include "corticle/config/parameters/value.hpp"
 
 #include <fmt/format.h>
 

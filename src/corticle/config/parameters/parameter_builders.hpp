@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/config/choices.hpp"
-#include "corticle/config/parameters.hpp"
+#include "corticle/config/parameters/choices.hpp"
+#include "corticle/config/parameters/parameters.hpp"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/config/parameters.hpp"
+#include "corticle/config/parameters/parameters.hpp"
 
 #include "corticle/base/error.hpp"
 

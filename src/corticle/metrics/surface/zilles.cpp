@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/metrics/zilles.hpp"
+#include "corticle/metrics/surface/zilles.hpp"
 
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"

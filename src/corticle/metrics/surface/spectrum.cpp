@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/metrics/spectrum.hpp"
+#include "corticle/metrics/surface/spectrum.hpp"
 
 #include "corticle/base/parallel.hpp"
-#include "corticle/metrics/tridiagonal.hpp"
-#include "corticle/metrics/vertex_adjacency.hpp"
+#include "corticle/metrics/surface/tridiagonal.hpp"
+#include "corticle/metrics/surface/vertex_adjacency.hpp"
 
 #include <algorithm>
 #include <numbers>

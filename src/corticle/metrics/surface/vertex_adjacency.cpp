@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/metrics/vertex_adjacency.hpp"
+#include "corticle/metrics/surface/vertex_adjacency.hpp"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/config/boundary_parameters.hpp"
-#include "corticle/config/parameter_builders.hpp"
-#include "corticle/config/remodelling_parameters.hpp"
-#include "corticle/config/tissue_parameters.hpp"
+#include "corticle/config/parameters/boundary_parameters.hpp"
+#include "corticle/config/parameters/parameter_builders.hpp"
+#include "corticle/config/parameters/remodelling_parameters.hpp"
+#include "corticle/config/parameters/tissue_parameters.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/metrics/curvature.hpp"
+#include "corticle/metrics/surface/curvature.hpp"
 
 #include "corticle/base/parallel.hpp"
-#include "corticle/metrics/vertex_adjacency.hpp"
+#include "corticle/metrics/surface/vertex_adjacency.hpp"
 
 #include <Eigen/Cholesky>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/config/remodelling_parameters.hpp"
+#include "corticle/config/parameters/remodelling_parameters.hpp"
 
-#include "corticle/config/parameter_builders.hpp"
+#include "corticle/config/parameters/parameter_builders.hpp"
 
 namespace corticle::config
 {

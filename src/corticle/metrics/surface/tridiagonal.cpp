@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/metrics/tridiagonal.hpp"
+#include "corticle/metrics/surface/tridiagonal.hpp"
 
 #include <Eigen/Eigenvalues>
 

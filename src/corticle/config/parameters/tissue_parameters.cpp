@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/config/tissue_parameters.hpp"
+#include "corticle/config/parameters/tissue_parameters.hpp"
 
-#include "corticle/config/parameter_builders.hpp"
+#include "corticle/config/parameters/parameter_builders.hpp"
 
 #include <fmt/format.h>
 
