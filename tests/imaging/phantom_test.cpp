@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace corticle
 {
@@ -78,8 +79,9 @@ TEST(Phantom, HasLobesThatMirrorEachOther)
     const auto at = [&](const Vec3& p) // of the phantom of 32 mm
     {
         const Vec3 index = p - lobes.frame.origin;
-        const auto place = static_cast<std::size_t>(index.x + lobes.size[0] * (index.y + lobes.size[1] * index.z));
-        return lobes.labels.at(place);
+        const auto number = [](double voxel) { return static_cast<std::int64_t>(std::lround(voxel)); };
+        const std::int64_t row = number(index.y) + lobes.size[1] * number(index.z);
+        return lobes.labels.at(static_cast<std::size_t>(number(index.x) + lobes.size[0] * row));
     };
     EXPECT_EQ(at({-5.0, 14.0, 2.0}), 1);
     EXPECT_EQ(at({5.0, -14.0, 2.0}), 14);
