@@ -100,7 +100,8 @@ Simulation::Simulation(std::shared_ptr<const Model> model, const SimulationOptio
 void Simulation::add_term(std::unique_ptr<mechanics::ForceTerm> term)
 {
     const auto before = std::ranges::find_if(terms_, [](const auto& other) { return other->comes_last(); });
-    const auto place = terms_.insert(before, std::move(term)) - terms_.begin();
+    const auto place = before - terms_.begin(); // before the list may move
+    terms_.insert(before, std::move(term));
     try
     {
         start();
