@@ -75,8 +75,8 @@ def test_every_guide_has_a_tutorial_or_says_why_not():
 
 def test_the_reference_is_written_without_warnings(tmp_path):
     pytest.importorskip("sphinx")
-    done = subprocess.run([sys.executable, "-m", "sphinx", "-W", "-q", "-b", "html", "-d", tmp_path / "trees", SOURCE / "docs/api", tmp_path / "api"],
-                          capture_output=True, text=True, check=False)
+    done = subprocess.run([sys.executable, "-m", "sphinx", "-W", "-q", "-b", "html", "-d", tmp_path / "trees", SOURCE / "docs/api",
+                           tmp_path / "api"], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     page = (tmp_path / "api/index.html").read_text(encoding="utf-8")
     for name in corticle.__all__:
