@@ -51,7 +51,6 @@ def by_module(body: corticle.Body, end: float, one_by_one: bool) -> float:
 def steps(options: argparse.Namespace) -> None:
     case = corticle.Case.sphere({"geometry.particles": options.particles, "time.end": options.end, "output.count": 1,
                                  "output.pictures": "off"})
-    corticle.set_threads(1)
     with tempfile.TemporaryDirectory(prefix="corticle-") as folder:
         case.save(Path(folder) / "case.toml")
         subprocess.run([options.command, "prepare", f"{folder}/case.toml", "--out", f"{folder}/body", "--quiet"], check=True,
@@ -110,6 +109,7 @@ def main() -> None:
     parser.add_argument("--cycles", type=int, default=10000)
     parser.add_argument("--only", choices=["steps", "views", "cycles"])
     options = parser.parse_args()
+    corticle.set_threads(1)
     warnings.simplefilter("ignore", corticle.CorticleWarning)
     if options.only in (None, "views"):
         views(options.particles)
