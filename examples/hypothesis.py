@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Two hypotheses in ten lines each: growth that differs from place to place, and a force that the program does not have."""
+"""Three hypotheses in ten lines each: growth that differs from place to place, a law of growth and a force that the program
+does not have."""
 
 import numpy as np
 import numpy.typing as npt
@@ -14,6 +15,19 @@ body = corticle.prepare(corticle.Case.sphere(particles=2000, end=0.02))
 towards_x = body.positions[:, 0] / body.positions[:, 0].max()
 uneven = corticle.Simulation(body.with_fields(growth=1.0 + 0.5 * towards_x)).run()
 print(f"growth from {uneven.growth.min():.4f} to {uneven.growth.max():.4f}")
+
+
+# Growth is slower where the tissue is pressed together.
+def slowed(t: float, fields: corticle.Fields) -> FloatArray:
+    pressure = -np.trace(fields.stress, axis1=1, axis2=2) / 3.0
+    rate = body.case.tissue.alpha_t * fields.theta / (1.0 + np.maximum(pressure, 0.0))
+    return fields.growth + rate * (t - fields.t)
+
+
+under_pressure = corticle.Simulation(body)
+under_pressure.set_growth(slowed)
+under_pressure.run()
+print(f"growth up to {under_pressure.growth.max():.4f} under pressure")
 
 # Fibres between opposite particles of the surface: springs across the body.
 ends = body.surface_particles

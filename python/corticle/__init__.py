@@ -18,10 +18,11 @@ from corticle._core import __version__, parameters, set_threads, threads
 from corticle.bodies import Body, prepare
 from corticle.cases import Case
 from corticle.errors import CorticleWarning, InputError, RunError
+from corticle.growth_laws import Fields
 from corticle.runs import Frame, Particles, Run, RunOutput, compare, open_run, render, report, run
 from corticle.simulations import Simulation
 from corticle.surfaces import Surface, measure, phantom, read_surface
 
-__all__ = ["Body", "Case", "CorticleWarning", "Frame", "InputError", "Particles", "Run", "RunError", "RunOutput", "Simulation",
+__all__ = ["Body", "Case", "CorticleWarning", "Fields", "Frame", "InputError", "Particles", "Run", "RunError", "RunOutput", "Simulation",
            "Surface", "__version__", "compare", "measure", "open_run", "parameters", "phantom", "prepare", "read_surface",
            "render", "report", "run", "set_threads", "threads"]

@@ -13,7 +13,9 @@ _is_free = not {_SPIN, "OMP_WAIT_POLICY"} & os.environ.keys()
 if _is_free:
     os.environ[_SPIN] = "20000"
 try:
-    from corticle import _corticle  # noqa: F401
+    from corticle import _corticle
+
+    _corticle.require_main_interpreter()  # loaded by another one the module is not initialised again
 finally:
     if _is_free:
         del os.environ[_SPIN]

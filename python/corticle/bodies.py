@@ -4,6 +4,8 @@
 import os
 from typing import Any, List, Mapping, Optional, Sequence
 
+import numpy as np
+
 from corticle import _arrays, _corticle
 from corticle._arrays import FloatArray, IntArray
 from corticle._core import warn
@@ -60,6 +62,13 @@ class Body:
         return values if len(values) else None
 
     @property
+    def fibres(self) -> Optional[FloatArray]:
+        """(n, 3) unit directions of the fibres, in the reference frame [-]; None in a case without fibres. Where there is no
+        white matter, or a direction of length 0 was given, there are no fibres, whatever is said here."""
+        values: FloatArray = self._core.fibres
+        return values if len(values) else None
+
+    @property
     def surface_particles(self) -> IntArray:
         """(k,) the particle that sits on each vertex of the surface."""
         return self._core.surface_particles
@@ -89,19 +98,23 @@ class Body:
         """What is probably not meant, one line each; `prepare` has warned of them."""
         return self._core.warnings
 
-    def with_fields(self, *, growth: Any = None, thickness: Any = None) -> "Body":
+    def with_fields(self, *, growth: Any = None, thickness: Any = None, fibres: Any = None) -> "Body":
         """The same particles with another tissue, given at the particles.
 
         Args:
             growth: (n,) regional growth, a factor of alpha_t, not negative [-]; None: as it is.
             thickness: (n,) thickness of the cortex at t = 0, positive [mm]; None: as it is.
+            fibres: (n, 3) directions of the fibres of white matter in the reference frame, in place of what
+                fibres.direction says; their length and sign do not matter, 0 is no fibre [-]; None: as they are.
 
         Raises:
-            InputError: an array has the wrong shape or numbers, or the body is of tets.
+            InputError: an array has the wrong shape or numbers, the case has no fibres, or the body is of tets.
         """
         given = {"growth": growth, "thickness": thickness}
         fields = {name: _arrays.numbers(values, len(self), name) for name, values in given.items() if values is not None}
-        core = self._core.with_fields(fields.get("growth"), fields.get("thickness"))
+        if fibres is not None:
+            fields["fibres"] = _arrays.points(fibres, "fibres")
+        core = self._core.with_fields(fields.get("growth"), fields.get("thickness"), fields.get("fibres"))
         made = Body(core, self._case, {**self._fields, **fields})
         warn(made.warnings)
         return made
@@ -141,9 +154,23 @@ def _case_of(source: Any, triangles: Any, labels: Optional[Sequence[int]], maps:
     return Case.brain(source, labels, **named)
 
 
+def _fibres_at_particles(body: Body, source: Any, fibres: Any) -> FloatArray:
+    """Directions at the vertices of a surface, of the closest vertex of each particle."""
+    vertices = _arrays.points(getattr(source, "vertices", source))
+    directions = _arrays.points(fibres, "fibres")
+    if len(directions) != len(vertices):
+        raise InputError(f"fibres: got {len(directions)} directions, expected one for each of {len(vertices)} vertices")
+    centre = vertices.mean(axis=0)  # from where differences of squares keep their digits
+    vertices, places = vertices - centre, body.positions - centre
+    squares = 0.5 * np.einsum("ij,ij->i", vertices, vertices)
+    at_once = max(1, 10_000_000 // len(vertices))
+    closest = [np.argmin(squares - part @ vertices.T, axis=1) for part in np.array_split(places, len(places) // at_once + 1)]
+    return directions[np.concatenate(closest)]
+
+
 def prepare(source: Any, triangles: Any = None, *, labels: Optional[Sequence[int]] = None, growth: Any = None,
             thickness: Any = None, still: Any = None, regions: Any = None, region_growth: Optional[Mapping[int, float]] = None,
-            **keys: Any) -> Body:
+            fibres: Any = None, **keys: Any) -> Body:
     """Makes the body of a case: surface, particles, tissue. Takes seconds to minutes; warnings are CorticleWarnings.
 
     `prepare(case)` is `corticle prepare`. In place of a case: `prepare(vertices, triangles, growth=...)` is that of
@@ -154,13 +181,17 @@ def prepare(source: Any, triangles: Any = None, *, labels: Optional[Sequence[int
         triangles: (m, 3) indices of the vertices.
         labels: those of an image that are the body.
         growth, thickness, still, regions, region_growth: maps at the vertices, see `Case.surface`.
+        fibres: (n, 3) directions at the vertices of a surface: particles have those of the closest vertex. The case needs a
+            fibres.direction, in place of which they are taken; at particles see `Body.with_fields`.
         keys: of the case, as `Case.update` takes them.
 
     Raises:
         InputError: something in the case, an array or a file is wrong.
     """
+    if fibres is not None and triangles is None and not hasattr(source, "triangles"):
+        raise InputError("fibres: got them without a surface, expected directions at the vertices of a surface")
     maps = {"growth": growth, "thickness": thickness, "still": still, "regions": regions, "region_growth": region_growth}
     case = _case_of(source, triangles, labels, maps, keys)
     body = Body(_corticle.prepare(case._resolved()), case)
     warn(body.warnings)
-    return body
+    return body if fibres is None else body.with_fields(fibres=_fibres_at_particles(body, source, fibres))

@@ -12,7 +12,7 @@ from corticle import _corticle
 from corticle._core import parameters, path_text
 from corticle._files import Scratch, write_inputs
 from corticle.errors import InputError
-from corticle.sections import Sections
+from corticle.sections import Sections, is_in_list
 
 PathLike = Union[str, "os.PathLike[str]"]
 
@@ -23,7 +23,7 @@ def _full_key(name: str) -> str:
     """The key "section.key" of a name that is one, or of a key alone that only one section has."""
     if name in _PARAMETERS:
         return name
-    found = [key for key in _PARAMETERS if key.rsplit(".", 1)[1] == name]
+    found = [key for key in _PARAMETERS if key.rsplit(".", 1)[1] == name and not is_in_list(key)]
     if len(found) > 1:
         raise InputError(f"key {name}: is in several sections, expected one of {', '.join(found)}")
     return found[0] if found else name

@@ -7,6 +7,7 @@
 import keyword
 
 from corticle import _corticle
+from corticle.errors import InputError
 
 _TYPES = {"bool": "bool", "int": "int", "float": "float", "str": "str", "list": "Sequence[float]", "integers": "Sequence[int]"}
 
@@ -14,6 +15,11 @@ _TYPES = {"bool": "bool", "int": "int", "float": "float", "str": "str", "list": 
 def _split(key):
     """Section, which may be one within another, and name: tissue.labels, cortex."""
     return key.rsplit(".", 1)
+
+
+def is_in_list(key):
+    """Whether a key is one of a list of tables: support.1.kind."""
+    return _split(key)[0][-1].isdigit()
 
 
 def _class_name(section):
@@ -56,15 +62,30 @@ class Section:
         except ValueError as error:
             raise AttributeError(str(error)) from None
 
-    def __getitem__(self, number):
-        """One of a list of tables, from 1: `case.support[2]` is the second [[support]]."""
-        return getattr(self, str(number))
-
     def __dir__(self):
         return [*super().__dir__(), *self._keys]
 
     def __repr__(self):
         return "\n".join([f"[{self._name}]", *(f"{_name(name)} = {getattr(self, name)!r}" for name in self._keys)])
+
+
+class Tables(Section):
+    """A list of tables: `case.support[2]` is the second [[support]]."""
+
+    __slots__ = ()
+
+    def __getitem__(self, number):
+        """One of the tables, from 1. Raises InputError where there is none of this number."""
+        if isinstance(number, bool) or not isinstance(number, int) or str(number) not in self._keys:
+            raise InputError(f"case.{self._name}: got [{number!r}], expected an integer from 1 to {len(self)}")
+        return getattr(self, str(number))
+
+    def __len__(self):
+        """How many there can be."""
+        return len(self._keys)
+
+    def __dir__(self):
+        return object.__dir__(self)
 
 
 def _key(row):
@@ -90,6 +111,12 @@ def _inner(name):
     return [section.rsplit(".", 1)[1] for section in _sections() if "." in section and section.rsplit(".", 1)[0] == name]
 
 
+def _is_list(name):
+    """Whether the sections within one are tables of a list: support.1, support.2 ..."""
+    inner = _inner(name)
+    return bool(inner) and all(part.isdigit() for part in inner)
+
+
 def _section(name):
     """The attribute of a section within another."""
     return property(lambda self: SECTIONS[name](self._case), doc=f"The keys of [{name}].")
@@ -99,7 +126,7 @@ def _section_class(name, rows):
     keys = {attribute(row["key"]): _key(row) for row in rows}
     inner = {part: _section(f"{name}.{part}") for part in _inner(name)}
     members = {"__slots__": (), "__doc__": f"The keys of [{name}].", "_name": name, "_keys": (*keys, *inner), **keys, **inner}
-    return type(_class_name(name), (Section,), members)
+    return type(_class_name(name), (Tables if _is_list(name) else Section,), members)
 
 
 SECTIONS = {name: _section_class(name, rows) for name, rows in _sections().items()}
@@ -120,11 +147,15 @@ def _type_of(row):
     return f"Optional[{read}]" if row["default"] is None else read
 
 
-def _stub_of_key(row):
-    name = attribute(row["key"])
-    return [f"    @property\n    def {name}(self) -> {_type_of(row)}: ...",
-            f"    @{name}.setter\n    def {name}(self, value: {_type_of(row)}) -> None: ...",
-            f"    @{name}.deleter\n    def {name}(self) -> None: ..."]
+def _stub_of_section(name, rows):
+    first = f"{name}.1"
+    if _is_list(name):
+        return [f"class {_class_name(name)}(Section):", f"    def __getitem__(self, number: int) -> {_class_name(first)}: ...",
+                "    def __len__(self) -> int: ...", ""]
+    lines = [f"class {_class_name(name)}(Section):", *(f"    {attribute(row['key'])}: {_type_of(row)}" for row in rows)]
+    for part in _inner(name):
+        lines += ["    @property", f"    def {part}(self) -> {_class_name(name + '.' + part)}: ..."]
+    return [*lines, ""]
 
 
 def stub():
@@ -132,17 +163,15 @@ def stub():
     lines = ["# SPDX-License-Identifier: GPL-3.0-or-later",
              "# Made by `python -m corticle.sections > python/corticle/sections.pyi`; a test says when that is due.",
              "from typing import Any, Optional, Sequence", "",
-             "class Section:", "    def __init__(self, case: Any) -> None: ...",
-             "    def __getitem__(self, number: int) -> Any: ...", ""]
+             "def is_in_list(key: str) -> bool: ...", "",
+             "class Section:", "    def __init__(self, case: Any) -> None: ...", ""]
     for name, rows in _sections().items():
-        lines.append(f"class {_class_name(name)}(Section):")
-        for row in rows:
-            lines += _stub_of_key(row)
-        for part in filter(str.isidentifier, _inner(name)):
-            lines.append(f"    @property\n    def {part}(self) -> {_class_name(name + '.' + part)}: ...")
-        lines.append("")
+        if not name[-1].isdigit() or name.endswith(".1"):  # tables of a list are all of one kind
+            lines += _stub_of_section(name, rows)
     lines += ["class Sections:", "    def __init__(self) -> None: ..."]
-    lines += [f"    {name}: {_class_name(name)}" for name in _sections() if "." not in name]
+    for name in _sections():
+        if "." not in name:
+            lines += ["    @property", f"    def {name}(self) -> {_class_name(name)}: ..."]
     return "\n".join(lines) + "\n"
 
 

@@ -13,6 +13,7 @@ from corticle._progress import Progress
 from corticle.bodies import Body
 from corticle.cases import Case, PathLike
 from corticle.errors import InputError
+from corticle.growth_laws import GrowthLaw, checked
 from corticle.surfaces import Surface
 
 _SAME_TIME = 1e-9  # times of growth closer than this are the same output time, in the library too
@@ -66,7 +67,7 @@ class Simulation:
         self._case = (case or body._case).copy()
         self._resolved = self._case._resolved()
         self._core = _corticle.Simulation(body._core, self._resolved)
-        self._has_forces = False
+        self._has_functions = False
 
     # Steps
 
@@ -131,7 +132,30 @@ class Simulation:
         if longest <= 0.0:
             raise InputError(f"stable_step: got {longest}, expected a number above 0")
         self._core.add_force(name, _checked(function, f'force "{name}"'), longest)
-        self._has_forces = True
+        self._has_functions = True
+
+    def set_growth(self, law: GrowthLaw) -> None:
+        """Growth by a law of one's own in place of that of the case, before the first step: a hypothesis about growth in a
+        few lines, at the speed of numpy.
+
+        Args:
+            law: called as `law(week, fields)` for every step that is tried, with the gestational age at its end [weeks], in
+                a case without a clock the growth time [-], and `Fields`, what the step starts from. It returns (n,)
+                tangential growth [-], or that and (n,) growth along the normal [-], which is 1 otherwise; both relative
+                to the start of the run, where they are 1. For growth at a rate r by what is there:
+                `fields.growth * (1.0 + r * (week - fields.week))`. What it raises ends the step.
+
+        Moduli, thickness and size stay those of the case. A checkpoint holds the growth, not the law: set the same one
+        before `restore`.
+
+        Raises:
+            InputError: there is a law already, or steps were taken; what the law returns has the wrong shape, is not
+                above 0, or is not 1 at the start.
+        """
+        if not callable(law):
+            raise InputError(f"law: got an object of type {type(law).__name__}, expected a function")
+        self._core.set_growth(checked(law, self._body))
+        self._has_functions = True
 
     # The present state
 
@@ -201,6 +225,11 @@ class Simulation:
         return self._core.growth()
 
     @property
+    def radial_growth(self) -> FloatArray:
+        """(n,) growth along the normal at the particles [-]."""
+        return self._core.radial_growth()
+
+    @property
     def surface(self) -> Surface:
         """The folded surface, in mm at its week as in the files of a run, with arrays J, theta and growth."""
         parts = self._core.surface()
@@ -232,14 +261,15 @@ class Simulation:
         """Goes on from a checkpoint of a simulation of the same body; returns the simulation.
 
         Raises:
-            InputError: the file is damaged, or holds another body.
+            InputError: the file is damaged, or holds another body, or growth by a law (`set_growth`) that the simulation does
+                not have.
         """
         self._core.restore(path_text(path))
         return self
 
     def __getstate__(self) -> Mapping[str, Any]:
-        if self._has_forces:
-            raise InputError("a simulation with forces of add_force cannot be pickled: functions stay where they are")
+        if self._has_functions:
+            raise InputError("a simulation with forces or a growth law of its own cannot be pickled: functions stay where they are")
         with tempfile.TemporaryDirectory(prefix="corticle-") as folder:
             path = Path(folder) / "checkpoint.h5"
             self.save(path)

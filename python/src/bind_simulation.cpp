@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "callback_law.hpp"
 #include "simulation.hpp"
 
 #include <pybind11/stl.h>
@@ -56,6 +57,7 @@ void take_part_in_collection(PyHeapTypeObject* heap_type)
 
 void bind_simulation(py::module_& module)
 {
+    bind_fields(module);
     py::class_<Simulation>(module, "Simulation", py::custom_type_setup(take_part_in_collection))
         .def(py::init([](const std::shared_ptr<Body>& body, const ResolvedCase& resolved)
                       { return std::make_unique<Simulation>(body, resolved); }),
@@ -66,6 +68,7 @@ void bind_simulation(py::module_& module)
         .def("step", &Simulation::step, py::arg("until"))
         .def("run", &Simulation::run, py::arg("times"), py::arg("on_output"), py::arg("tell"))
         .def("add_force", &Simulation::add_force, py::arg("name"), py::arg("function"), py::arg("stable_step"))
+        .def("set_growth", &Simulation::set_growth, py::arg("law"))
         .def("positions", &Simulation::positions)
         .def("velocities", &Simulation::velocities)
         .def("deformation_gradients", &Simulation::deformation_gradients)
@@ -73,6 +76,7 @@ void bind_simulation(py::module_& module)
         .def("stress", &Simulation::stress)
         .def("theta", &Simulation::theta)
         .def("growth", &Simulation::growth)
+        .def("radial_growth", &Simulation::radial_growth)
         .def("surface", &Simulation::surface)
         .def("measures", &Simulation::measures)
         .def("energies", &Simulation::energies)

@@ -71,8 +71,28 @@ std::vector<double> field_of(const Numbers& array, const char* what, std::size_t
     return values;
 }
 
+/// Directions at the particles. @throws InputError where the case has no fibres that these could be
+std::vector<Vec3> fibres_of(const Numbers& array, const Body& body)
+{
+    if (!body.resolved.options.tissue.remodelling.has_fibres())
+    {
+        throw InputError(
+            "fibres: the case has none (fibres.direction = \"none\"); expected another direction, in place of "
+            "which these are taken");
+    }
+    std::vector<Vec3> fibres = points_of(array, "fibres");
+    require_size("fibres", fibres.size(), body.model->cloud.positions.size());
+    require_finite("fibres", fibres);
+    if (std::ranges::all_of(fibres, [](const Vec3& fibre) { return norm(fibre) == 0.0; }))
+    {
+        throw InputError("fibres: got directions of length 0 alone, expected some that are not");
+    }
+    return fibres;
+}
+
 /// The body with other fields of the tissue at its particles; those not given stay.
-std::shared_ptr<const Body> with_fields(const Body& body, const Field& growth, const Field& thickness)
+std::shared_ptr<const Body> with_fields(const Body& body, const Field& growth, const Field& thickness,
+                                        const Field& fibres)
 {
     if (body.model->fem)
     {
@@ -88,6 +108,10 @@ std::shared_ptr<const Body> with_fields(const Body& body, const Field& growth, c
     if (thickness)
     {
         made.model.tissue.thickness = field_of(*thickness, "thickness [mm]", particles, 0.0, true);
+    }
+    if (fibres)
+    {
+        made.model.tissue.given_fibre = fibres_of(*fibres, body);
     }
     const Work work;
     return connected(body, body.resolved, std::move(made));
@@ -139,15 +163,16 @@ void bind_body(py::module_& module)
         .def_property_readonly("normals", part([](const Model& m) -> auto& { return m.tissue.normal; }))
         .def_property_readonly("growth", part([](const Model& m) -> auto& { return m.tissue.mapped_rate; }))
         .def_property_readonly("thickness", part([](const Model& m) -> auto& { return m.tissue.thickness; }))
+        .def_property_readonly("fibres", part([](const Model& m) -> auto& { return m.tissue.fibre; }))
         .def_property_readonly("surface_particles",
                                part([](const Model& m) -> auto& { return m.cloud.surface_particles; }))
         .def_property_readonly("vertices", part([](const Model& m) -> auto& { return m.surface.vertices; }))
         .def_property_readonly("triangles", part([](const Model& m) -> auto& { return m.cloud.surface_triangles; }))
         .def(
             "with_fields",
-            [](Shared body, const Field& growth, const Field& thickness)
-            { return mutable_pointer(with_fields(*body, growth, thickness)); },
-            py::arg("growth"), py::arg("thickness"));
+            [](Shared body, const Field& growth, const Field& thickness, const Field& fibres)
+            { return mutable_pointer(with_fields(*body, growth, thickness, fibres)); },
+            py::arg("growth"), py::arg("thickness"), py::arg("fibres"));
     module.def(
         "prepare", [](const ResolvedCase& resolved) { return mutable_pointer(prepare_body(resolved)); },
         py::arg("case"));

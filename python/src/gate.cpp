@@ -44,6 +44,17 @@ void require_own_threads()
 
 } // namespace
 
+bool is_main_interpreter()
+{
+    const bool is_main = PyInterpreterState_Get() == PyInterpreterState_Main();
+    if (!is_main)
+    {
+        PyErr_SetString(PyExc_ImportError,
+                        "corticle works in the main interpreter of a process; expected no sub-interpreter");
+    }
+    return is_main;
+}
+
 Work::Work() : threads_before_(thread_count())
 {
     if (leaving)

@@ -13,6 +13,10 @@ namespace corticle::python
 
 namespace py = pybind11;
 
+/// Whether this is the main interpreter of the process; else ImportError is set: threads that have worked come back to
+/// that one alone. Of Python's own API only, as pybind11 itself waits for ever in another interpreter.
+bool is_main_interpreter();
+
 /// Whether an object is being worked in. Changes only while the GIL is held.
 enum class Activity
 {

@@ -50,20 +50,56 @@ void bind_errors(py::module_& /*module*/)
         });
 }
 
-} // namespace corticle::python
-
-PYBIND11_MODULE(_corticle, module)
+namespace
 {
-    using namespace corticle;
+
+PyObject* require_main_interpreter(PyObject* /*module*/, PyObject* /*none*/)
+{
+    return is_main_interpreter() ? py::none().release().ptr() : nullptr;
+}
+
+void fill(py::module_& module)
+{
+    static PyMethodDef functions[] = {{"require_main_interpreter", &require_main_interpreter, METH_NOARGS,
+                                       "Raises ImportError in a sub-interpreter."},
+                                      {}};
+    if (PyModule_AddFunctions(module.ptr(), functions) != 0)
+    {
+        throw py::error_already_set();
+    }
     module.doc() = "The compiled part of corticle.";
     module.attr("version") = std::string(program_version());
-    module.def("set_threads", &python::choose_threads, pybind11::arg("count"));
-    module.def("threads", &python::chosen_threads);
-    pybind11::module_::import("atexit").attr("register")(pybind11::cpp_function(&python::leave));
-    python::bind_errors(module);
-    python::bind_case(module);
-    python::bind_body(module);
-    python::bind_simulation(module);
-    python::bind_runs(module);
-    python::bind_surfaces(module);
+    module.def("set_threads", &choose_threads, py::arg("count"));
+    module.def("threads", &chosen_threads);
+    py::module_::import("atexit").attr("register")(py::cpp_function(&leave));
+    bind_errors(module);
+    bind_case(module);
+    bind_body(module);
+    bind_simulation(module);
+    bind_runs(module);
+    bind_surfaces(module);
+}
+
+} // namespace
+
+} // namespace corticle::python
+
+/// What PYBIND11_MODULE makes, with a look at the interpreter before pybind11 does anything.
+extern "C" PYBIND11_EXPORT PyObject* PyInit__corticle()
+{
+    namespace py = pybind11;
+    if (!corticle::python::is_main_interpreter())
+    {
+        return nullptr;
+    }
+    PYBIND11_CHECK_PYTHON_VERSION
+    PYBIND11_ENSURE_INTERNALS_READY
+    static py::module_::module_def definition;
+    py::module_ module = py::module_::create_extension_module("_corticle", nullptr, &definition);
+    try
+    {
+        corticle::python::fill(module);
+        return module.ptr();
+    }
+    PYBIND11_CATCH_INIT_EXCEPTIONS
 }

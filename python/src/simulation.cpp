@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulation.hpp"
 
+#include "callback_law.hpp"
 #include "callback_term.hpp"
 #include "corticle/base/error.hpp"
 #include "corticle/metrics/measure_table.hpp"
-#include "corticle/model/node_stress.hpp"
 #include "corticle/model/observer.hpp"
 #include "corticle/record/checkpointing.hpp"
 #include "corticle/record/run_warnings.hpp"
+#include "particle_arrays.hpp"
 
 #include <fmt/format.h>
 
@@ -15,39 +16,6 @@
 
 namespace corticle::python
 {
-
-namespace
-{
-
-/// What a function of the particle and its deformation gradient gives, for every particle.
-template <class T, class Function>
-std::vector<T> of_particles(const model::Simulation& simulation, Function function)
-{
-    const std::vector<Mat3> F = simulation.deformation_gradients();
-    std::vector<T> values(F.size());
-    for (std::size_t i = 0; i < F.size(); ++i)
-    {
-        values[i] = function(i, F[i]);
-    }
-    return values;
-}
-
-std::vector<double> volume_ratios_of(const model::Simulation& simulation)
-{
-    return of_particles<double>(simulation, [](std::size_t, const Mat3& F) { return determinant(F); });
-}
-
-std::vector<double> growth_of(const model::Simulation& simulation)
-{
-    std::vector<double> growth(simulation.state().motion.x.size());
-    for (std::size_t i = 0; i < growth.size(); ++i)
-    {
-        growth[i] = simulation.tissue().point(i, simulation.state().t).growth;
-    }
-    return growth;
-}
-
-} // namespace
 
 /// Shows a run to Python.
 class Simulation::Watch final : public model::Observer
@@ -68,8 +36,10 @@ class Simulation::Watch final : public model::Observer
             return;
         }
         const Showing showing(shown_.activity_);
+        shown_.is_stale_ = false; // between steps
         on_output_();
         shown_.leave_positions();
+        shown_.is_stale_ = true;
     }
 
   private:
@@ -162,6 +132,13 @@ void Simulation::add_force(const std::string& name, py::function function, doubl
          { simulation.add_term(std::make_unique<CallbackTerm>(name, functions_.back(), stable_step)); });
 }
 
+void Simulation::set_growth(py::function law)
+{
+    functions_.push_back(law);
+    move([&](model::Simulation& simulation)
+         { simulation.set_growth_law(std::make_unique<CallbackLaw>(functions_.back())); });
+}
+
 py::array Simulation::positions()
 {
     const model::Simulation& simulation = at_rest();
@@ -191,12 +168,7 @@ py::array Simulation::volume_ratios()
 
 py::array Simulation::stress()
 {
-    return array_of(look(
-        [](const model::Simulation& simulation)
-        {
-            const model::NodeStress stresses(simulation);
-            return of_particles<Mat3>(simulation, [&](std::size_t i, const Mat3& F) { return stresses.cauchy(i, F); });
-        }));
+    return array_of(look(stress_of));
 }
 
 py::array Simulation::theta()
@@ -207,6 +179,11 @@ py::array Simulation::theta()
 py::array Simulation::growth()
 {
     return array_of(look(growth_of));
+}
+
+py::array Simulation::radial_growth()
+{
+    return array_of(look(radial_growth_of));
 }
 
 py::dict Simulation::surface()

@@ -35,6 +35,7 @@ class Simulation
     /// @param tell  callable or None, called now and then with t and steps
     void run(const std::vector<double>& times, const py::object& on_output, const py::object& tell);
     void add_force(const std::string& name, py::function function, double stable_step);
+    void set_growth(py::function law);
 
     py::array positions();
     py::array velocities();
@@ -43,6 +44,7 @@ class Simulation
     py::array stress();
     py::array theta();
     py::array growth();
+    py::array radial_growth();
     /// Surface in mm at the week: vertices, triangles, arrays by name, t, week.
     py::dict surface();
     /// All measures of a run, and warnings.

@@ -8,6 +8,7 @@ import subprocess
 import sys
 import threading
 
+import numpy as np
 import pytest
 from conftest import small_case
 
@@ -149,6 +150,76 @@ def test_the_end_of_the_interpreter_in_the_midst_of_a_run():
               "threading.Thread(target=simulation.run, daemon=True).start()\n"
               "threading.Event().wait(0.3)\n")
     assert_ends_well(script)
+
+
+@pytest.mark.parametrize("is_loaded", [False, True], ids=["first", "loaded"])
+def test_sub_interpreters_are_refused(is_loaded):
+    """In threads of their own; the main interpreter goes on."""
+    pytest.importorskip("_xxsubinterpreters")
+    script = ("import threading, _xxsubinterpreters as interpreters\n"
+              + ("import corticle\n" if is_loaded else "")
+              + "said = []\n"
+              "def other():\n"
+              "    one = interpreters.create()\n"
+              "    try:\n"
+              "        interpreters.run_string(one, 'import corticle')\n"
+              "    except interpreters.RunFailedError as error:\n"
+              "        said.append(str(error))\n"
+              "    interpreters.destroy(one)\n"
+              "threads = [threading.Thread(target=other) for _ in range(2)]\n"
+              "for thread in threads: thread.start()\n"
+              "for thread in threads: thread.join()\n"
+              "assert len(said) == 2 and all('main interpreter' in text for text in said), said\n"
+              "import corticle\n"
+              "case = corticle.Case.sphere({'geometry.particles': 600, 'time.end': 0.001})\n"
+              "corticle.Simulation(corticle.prepare(case)).step()\n")
+    assert_ends_well(script)
+
+
+FORMS = {"fortran": np.asfortranarray, "float32": lambda a: a.astype(np.float32), "big_endian": lambda a: a.astype(">f8"),
+         "negative_strides": lambda a: a[::-1].copy()[::-1], "gaps": lambda a: np.repeat(a, 2, axis=0)[::2], "list": lambda a: a.tolist(),
+         "half": lambda a: a.astype(np.float16), "integers": lambda a: a.astype(np.int64)}
+
+
+@pytest.mark.parametrize("form", FORMS.values(), ids=FORMS.keys())
+def test_arrays_of_any_form(body, form):
+    """Numbers that all these types hold exactly."""
+    growth = np.round(body.depth)
+    forces = np.round(body.positions)
+    expected = body.with_fields(growth=growth).growth
+    assert (body.with_fields(growth=form(growth)).growth == expected).all()
+    assert (body.with_fields(thickness=form(growth % 2 + 1.0)).thickness == growth % 2 + 1.0).all()
+    with_form, plain = corticle.Simulation(body), corticle.Simulation(body)
+    with_form.add_force(lambda t, x, v: form(forces))
+    plain.add_force(lambda t, x, v: forces)
+    for _ in range(3):
+        with_form.step()
+        plain.step()
+    assert (with_form.positions == plain.positions).all()
+
+
+@pytest.mark.parametrize("wrong", [np.empty(0), np.empty((0, 3)), np.float64(1.0), np.array(None), np.array(["a"]), np.ones(3),
+                                   np.full(1000, np.nan), np.full(1000, np.inf), -np.ones(1000), np.ones((1000, 1)), np.ones(1001),
+                                   np.ones(1000, dtype=complex), np.ones(1000, dtype=bool), np.ones(1000, dtype="M8[s]"), object(), "x"],
+                         ids=str)
+def test_wrong_fields_are_refused(body, wrong):
+    for name in ("growth", "thickness"):
+        with pytest.raises(corticle.InputError, match=name):
+            body.with_fields(**{name: wrong})
+
+
+def test_cycles_leave_no_objects(body):
+    def cycle(count):
+        for _ in range(count):
+            simulation = corticle.Simulation(body)
+            simulation.add_force(lambda t, x, v, s=simulation: 0.0 * x)
+            simulation.run(until=1e-4, on_output=lambda s: s.positions)
+        gc.collect()
+
+    cycle(5)
+    before = len(gc.get_objects())
+    cycle(50)
+    assert len(gc.get_objects()) - before < 25
 
 
 def test_deep_recursion_in_a_callback(simulation):

@@ -2,7 +2,10 @@
 """Cases: the keys, checks and messages of case files."""
 
 import copy
+import json
 import pickle
+import re
+import subprocess
 
 import numpy as np
 import pytest
@@ -38,6 +41,53 @@ def test_sections_within_sections():
     case.tissue.labels.cortex = [2]
     assert case["tissue.labels.cortex"] == case.tissue.labels.cortex == [2]
     assert "labels" in dir(case.tissue) and "cortex = [2]" in repr(case.tissue.labels)
+
+
+def test_lists_of_tables():
+    case = Case.sphere(particles=2000, end=0.5)  # a key alone is that of a section, not of a list
+    case.support[2].kind, case.support[2].plane = "fixed", "x_min"
+    case["support.1.kind"] = "roller"
+    case.support[1].plane = "z_min"
+    assert case["support.2.plane"] == "x_min" and case.support[1].kind == "roller"
+    assert case.to_toml().count("[[support]]") == 2 and Case.from_toml(case.to_toml()) == case
+    assert len(case.support) == 8 and "[support.2]" in repr(case.support)
+    for wrong in (0, 9, -1, "1", True, 1.0):
+        with pytest.raises(InputError, match="integer from 1 to 8"):
+            case.support[wrong]
+    with pytest.raises(InputError, match=r"support\.1\.kind is out of range \(case\.support\.1\.kind\)"):
+        case.support[1].kind = "loose"
+    with pytest.raises(InputError, match=r"did you mean support\.1\.plane"):
+        case.support[1].plan = "x_min"
+    del case.support[2].kind
+    with pytest.raises(InputError, match=r"support\.2\.kind"):
+        case.check()
+
+
+@pytest.mark.parametrize(("keys", "message"), [
+    ({"boundary.shape": "cube"}, "boundary.shape is out of range"),
+    ({"fibres.direction": "radial", "fibres.active_stress": 0.0}, "fibres carry nothing"),
+    ({"fibres.stiffness": 1.0}, "fibres.direction"),
+    ({"relaxation.share": 2.0}, "relaxation.share is out of range"),
+    ({"relaxation.time": 1.0}, "relaxation.share"),
+    ({"stress_growth.shrinks": True}, "stress_growth.rate"),
+    ({"map.growth_times": [0.5, 0.1]}, "map.growth_times"),
+    ({"growth.law": "table"}, "growth.table"),
+    ({"tissue.labels.cortex": [2]}, "tissue.labels"),
+])
+def test_sections_of_hypotheses_have_the_checks_of_case_files(keys, message, command, tmp_path):
+    with pytest.raises(InputError) as refusal:
+        Case.sphere(keys).check()
+    assert message in str(refusal.value)
+    sets = [f"--set={key}={json.dumps(value)}" for key, value in keys.items()]
+    path = tmp_path / "case.toml"
+    path.write_text('[geometry]\nshape = "sphere"\n')
+    said = subprocess.run([command, "check", path, *sets], capture_output=True, text=True, check=False)
+    assert said.returncode != 0
+
+    def plain(text):
+        return re.sub(r" \([^()]*\)", "", text)  # where the value was given differs
+
+    assert plain(str(refusal.value)) in plain(said.stderr)
 
 
 def test_what_is_deleted_is_the_default_again():

@@ -15,7 +15,8 @@ from conftest import SOURCE
 import corticle
 from corticle import sections
 
-EXAMPLES = sorted((SOURCE / "examples").glob("*.py"))
+EXAMPLES = sorted((SOURCE / "examples").rglob("*.py"))
+TUTORIALS = sorted((SOURCE / "examples/tutorials").glob("*.py"))
 
 
 def test_the_stub_of_the_sections_is_that_of_the_table():
@@ -49,12 +50,37 @@ def test_types():
     assert done.returncode == 0, done.stdout + done.stderr
 
 
+def environment():
+    """That of a script: bodies are small, for which one thread is enough."""
+    return {**os.environ, "MPLBACKEND": "agg", "OMP_NUM_THREADS": "1", "PYTHONPATH": str(Path(corticle.__file__).parents[1])}
+
+
 @pytest.mark.parametrize("example", EXAMPLES, ids=lambda path: path.stem)
 def test_examples(example, tmp_path):
-    environment = {**os.environ, "MPLBACKEND": "agg", "PYTHONPATH": str(Path(corticle.__file__).parents[1])}
-    done = subprocess.run([sys.executable, "-W", "ignore", str(example)], cwd=tmp_path, env=environment, capture_output=True, text=True,
+    done = subprocess.run([sys.executable, "-W", "ignore", str(example)], cwd=tmp_path, env=environment(), capture_output=True, text=True,
                           timeout=300, check=False)
     assert done.returncode == 0, done.stderr
+
+
+def test_every_guide_has_a_tutorial_or_says_why_not():
+    """The table of the guide of Python names every guide, and every tutorial is in it."""
+    table = (SOURCE / "docs/guide/python.md").read_text(encoding="utf-8").split("| guide |")[1].split("\n\n")[0]
+    guides = {path.name for path in (SOURCE / "docs/guide").glob("*.md")} - {"python.md", "parameters.md"}
+    assert guides == set(re.findall(r"\]\(([\w-]+\.md)\)", table))
+    assert {path.name for path in TUTORIALS} == set(re.findall(r"`(\w+\.py)`", table))
+    for path in TUTORIALS:
+        text = path.read_text(encoding="utf-8")
+        assert text.count("# %% [markdown]\n# ") >= 1 and text.count("# %%\n") >= 2, path.name
+
+
+def test_the_reference_is_written_without_warnings(tmp_path):
+    pytest.importorskip("sphinx")
+    done = subprocess.run([sys.executable, "-m", "sphinx", "-W", "-q", "-b", "html", "-d", tmp_path / "trees", SOURCE / "docs/api",
+                           tmp_path / "api"], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    page = (tmp_path / "api/index.html").read_text(encoding="utf-8")
+    for name in corticle.__all__:
+        assert f'id="corticle.{name}"' in page or name == "__version__", name
 
 
 def test_the_script_of_the_readme(tmp_path):
@@ -66,8 +92,7 @@ def test_the_script_of_the_readme(tmp_path):
     quick = script.replace('"end_week": 30', '"end_week": 23.2, "particles": 1500')
     assert quick != script
     quick = re.sub(r'"output.weeks": [^,}]*(\[[^]]*\]|\)),?', '"output.weeks": [23.1],', quick)
-    environment = {**os.environ, "MPLBACKEND": "agg", "PYTHONPATH": str(Path(corticle.__file__).parents[1])}
-    done = subprocess.run([sys.executable, "-W", "ignore", "-c", quick], cwd=tmp_path, env=environment, capture_output=True, text=True,
+    done = subprocess.run([sys.executable, "-W", "ignore", "-c", quick], cwd=tmp_path, env=environment(), capture_output=True, text=True,
                           timeout=300, check=False)
     assert done.returncode == 0, done.stderr
     assert (tmp_path / "week30.surf.gii").exists() and (tmp_path / "folding.png").exists()

@@ -365,3 +365,22 @@ def test_threads_change_no_bit(body):
     for wrong in (0, -1, 2.0, "2", True, 10**6):
         with pytest.raises(corticle.InputError):
             corticle.set_threads(wrong)
+
+
+def test_a_force_that_fails_after_a_look_leaves_the_state_as_it_was(body):
+    """A callback looks at the simulation in the midst of a run, and a later step of the same run fails."""
+    case = body.case
+    case.tissue.thickness_rate_mm = 3.0  # theta follows t, that of a step that is tried too
+    watched, plain = corticle.Simulation(body, case), corticle.Simulation(body, case)
+
+    def force(t, x, v):
+        if t > 0.03:
+            raise KeyError("later")
+        return np.zeros(x.shape)
+
+    watched.add_force(force)
+    with pytest.raises(KeyError):
+        watched.run(every=0.01, on_output=lambda s: s.J)
+    plain.run(until=watched.t, every=0.01)
+    assert watched.t > 0.02 and watched.steps == plain.steps
+    assert (watched.theta == plain.theta).all() and (watched.stress == plain.stress).all()

@@ -147,7 +147,7 @@ bool Tissue::has_plain_points() const
     return !is_by_tissue() && options.alpha_r == 0.0 && options.alpha_white == 0.0 &&
            options.growth_law == GrowthLaw::linear && options.growth_onset == 0.0 && options.growth_rate == 1.0 &&
            options.normal == NormalFrame::reference && fields.growth_onset.empty() && fields.growth_rate.empty() &&
-           fields.growth_maps.times.empty() && state.theta_rate.empty() && state.past.empty();
+           fields.growth_maps.times.empty() && state.theta_rate.empty() && state.past.empty() && state.by_law.empty();
 }
 
 double wave_speed(const TissueOptions& options)

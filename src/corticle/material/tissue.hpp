@@ -61,16 +61,18 @@ struct TissueFields
                                         ///< the keys and one K / mu
     std::optional<TissueGrowth> growth; ///< by week, or none: by the keys; needs kind
     std::vector<Vec3> fibre;            ///< direction of the fibres, unit, reference, or empty
-    std::vector<double> white_share;    ///< of white matter at the start, which fibres run through and which grows by
-                                        ///< stress [-], or empty where nothing asks for it
+    std::vector<Vec3> given_fibre;   ///< directions in place of those of the case, of any length, 0: no fibre; or empty
+    std::vector<double> white_share; ///< of white matter at the start, which fibres run through and which grows by
+                                     ///< stress [-], or empty where nothing asks for it
 };
 
 /// What of the tissue goes with growth time; follows from fields, options and t.
 struct TissueState
 {
-    std::vector<double> theta;      ///< cortex share at the current t [-]
-    std::vector<double> theta_rate; ///< dtheta/dt of a smooth layer that moves, or empty
-    std::vector<PastGrowth> past;   ///< or empty: none
+    std::vector<double> theta;          ///< cortex share at the current t [-]
+    std::vector<double> theta_rate;     ///< dtheta/dt of a smooth layer that moves, or empty
+    std::vector<PastGrowth> past;       ///< or empty: none
+    std::vector<TissueGrowthAt> by_law; ///< growth since the start by a law from outside, or empty: the case's
 };
 
 /// H_i + beta t of material point i [mm]: divided by s(t), the thickness in the reference state.
@@ -110,7 +112,15 @@ struct Tissue
     MaterialPoint point(std::size_t i, double t) const
     {
         MaterialPoint point = is_by_tissue() ? labelled_point(i, t) : point_by_theta(i, t);
-        if (!state.past.empty())
+        if (!state.by_law.empty())
+        {
+            const TissueGrowthAt& law = state.by_law[i];
+            point.growth = law.tangential;
+            point.growth_rate = law.tangential_rate;
+            point.radial_growth = law.radial;
+            point.radial_growth_rate = law.radial_rate;
+        }
+        else if (!state.past.empty())
         {
             point.growth /= state.past[i].tangential;
             point.growth_rate /= state.past[i].tangential;

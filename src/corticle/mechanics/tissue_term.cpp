@@ -23,6 +23,14 @@ Contribution TissueTerm::add(const StepContext& context, std::span<Vec3> forces)
                 time_step_ > 0.0 ? time_step_ : dynamics::critical_step(context.cfl, spacing_, response.stiffest_rate)};
 }
 
+void TissueTerm::show_present(const StepContext& present)
+{
+    if (remodelling_)
+    {
+        remodelling_->begin(present);
+    }
+}
+
 std::vector<NamedEnergy> TissueTerm::energies() const
 {
     std::vector<NamedEnergy> all{{"elastic", response_.elastic_energy}, {"zero_mode", response_.zero_mode_energy}};

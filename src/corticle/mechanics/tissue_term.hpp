@@ -32,6 +32,9 @@ class TissueTerm final : public ForceTerm
     }
     std::string cause_of_short_step(std::span<const Vec3> x) const override;
 
+    /// Takes its history back to the present, from what was tried. @param present  without a step
+    void show_present(const StepContext& present);
+
     /// Of the last evaluation that was valid.
     const InternalResponse& response() const { return response_; }
     const Discretization& method() const { return *method_; }

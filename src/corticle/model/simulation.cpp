@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <numbers>
 
 namespace corticle::model
@@ -23,9 +22,6 @@ namespace
 constexpr std::int64_t onset_interval = 10; ///< steps between looks at the sphere index
 constexpr double onset_rise = 0.01;
 constexpr double step_recovery = 1.05; ///< factor by which a halved step grows back, per step
-// A step of this share of that at rest makes a run of minutes one of weeks; steps of sound folds stay above a
-// twentieth.
-constexpr double least_step_share = 1e-4;
 
 double loading_time(const Model& model, const SimulationOptions& options)
 {
@@ -104,7 +100,8 @@ Simulation::Simulation(std::shared_ptr<const Model> model, const SimulationOptio
 void Simulation::add_term(std::unique_ptr<mechanics::ForceTerm> term)
 {
     const auto before = std::ranges::find_if(terms_, [](const auto& other) { return other->comes_last(); });
-    const auto place = terms_.insert(before, std::move(term)) - terms_.begin();
+    const auto place = before - terms_.begin(); // before the list may move
+    terms_.insert(before, std::move(term));
     try
     {
         start();
@@ -113,6 +110,30 @@ void Simulation::add_term(std::unique_ptr<mechanics::ForceTerm> term)
     {
         terms_.erase(terms_.begin() + place);
         stable_steps_.resize(terms_.size());
+        throw;
+    }
+}
+
+void Simulation::set_growth_law(std::unique_ptr<GrowthLaw> law)
+{
+    if (law_ || state_->steps > 0)
+    {
+        throw InputError(fmt::format("growth law: got one at step {}{}, expected one law, before the first step",
+                                     state_->steps, law_ ? " of a simulation that has a law" : ""));
+    }
+    law_ = std::make_unique<GrowthByLaw>(std::move(law), *model_);
+    try
+    {
+        law_->begin(*this, *state_);
+        start_moving();
+        start();
+    }
+    catch (...)
+    {
+        law_.reset();
+        GrowthByLaw::forget(*state_);
+        start_moving();
+        start();
         throw;
     }
 }
@@ -126,6 +147,12 @@ void Simulation::restore(State state)
                                      "each for every node of the body",
                                      state.motion.x.size(), state.motion.v.size(), nodes));
     }
+    if (GrowthByLaw::is_in(state.history) != (law_ != nullptr))
+    {
+        throw InputError(fmt::format("the state to start from grew by {}; expected the same growth law as in that run",
+                                     law_ ? "the keys of the case, and the simulation grows by a law from outside"
+                                          : "a law from outside, which the simulation does not have"));
+    }
     // How the tissue began follows from the case; where it is now from t.
     state.nodes = std::move(state_->nodes);
     state.elements = std::move(state_->elements);
@@ -137,7 +164,7 @@ void Simulation::restore(State state)
 void Simulation::start_moving()
 {
     const dynamics::Medium around = medium(state_->t);
-    if (around.expansion == 0.0)
+    if (around.expansion == 0.0 && state_->kinetic_energy == 0.0)
     {
         return;
     }
@@ -156,7 +183,8 @@ dynamics::Medium Simulation::medium(double t) const
     const material::TissueFields& fields = model_->fem ? model_->fem->tissue : model_->tissue;
     if (fields.growth)
     {
-        around.expansion = fields.growth->mean_rate(tissue_volumes_, t) * state_->loading_rate / total_time_;
+        const double rate = law_ ? law_->mean_rate(*state_) : fields.growth->mean_rate(tissue_volumes_, t);
+        around.expansion = rate * state_->loading_rate / total_time_;
         around.centre = centre_;
     }
     return around;
@@ -241,6 +269,10 @@ mechanics::TravelTaken Simulation::limit_travel(const dynamics::StepPlan& plan, 
 /// @param dt  time from the present state to there
 bool Simulation::evaluate(dynamics::Motion& motion, double t, double dt)
 {
+    if (law_)
+    {
+        grow_by_law(t);
+    }
     move_layer(t);
     const mechanics::StepContext context{t, state_->t, dt, options_->dynamics.cfl, motion.x, motion.v, state_->history};
     trial_sum_ = {};
@@ -252,6 +284,19 @@ bool Simulation::evaluate(dynamics::Motion& motion, double t, double dt)
         trial_sum_ += contribution;
     }
     return trial_sum_.invalid_at < 0;
+}
+
+/// Growth at t as the law says it from the present state, to which the tissue is taken back while the law looks at it.
+void Simulation::grow_by_law(double t)
+{
+    law_->show_present(*state_);
+    if (t > state_->t)
+    {
+        move_layer(state_->t);
+        tissue_->show_present(
+            {state_->t, state_->t, 0.0, options_->dynamics.cfl, state_->motion.x, state_->motion.v, state_->history});
+        law_->grow(*this, t, *state_);
+    }
 }
 
 /// theta at growth time t, at the nodes and in the elements.
@@ -276,6 +321,10 @@ void Simulation::commit(const dynamics::StepPlan& plan, const dynamics::StepEner
     for (const auto& term : terms_)
     {
         term->accept(context, state_->history);
+    }
+    if (law_)
+    {
+        law_->accept(*state_);
     }
     std::swap(state_->motion, trial_);
     const double growth_step = plan.t - plan.t_before;
@@ -309,46 +358,6 @@ void Simulation::note_onset()
     {
         state_->onset_t = state_->t;
     }
-}
-
-void Simulation::give_up(const dynamics::Motion& motion, double t, double dt) const
-{
-    std::string diagnosis;
-    for (const auto& term : terms_)
-    {
-        diagnosis = diagnosis.empty() ? term->diagnosis(trial_sum_.invalid_at, motion.x) : diagnosis;
-    }
-    throw RunError(fmt::format("inverted at step {}, t = {:.6g}, after {} halvings of the step (dt/T = {:.3g}): {}",
-                               state_->steps + 1, t, options_->dynamics.max_halvings, dt / total_time_, diagnosis),
-                   {state_->steps + 1, t, trial_sum_.invalid_at});
-}
-
-/// Refuses a step so small that the run would not end: a crushed particle, or steps taken back again and again.
-void Simulation::require_step(double dt) const
-{
-    if (dt >= least_step_share * rest_dt_)
-    {
-        return;
-    }
-    throw RunError(fmt::format("the step has collapsed at step {}, t = {:.6g}: dt/T = {:.3g}, at rest {:.3g}; {} steps "
-                               "taken back so far, the next one {:.3g} of what the stiffness allows; {}",
-                               state_->steps + 1, state_->t, dt / total_time_, rest_dt_ / total_time_,
-                               state_->rejected_steps, state_->step_scale, cause_of_short_step()),
-                   {state_->steps + 1, state_->t});
-}
-
-/// What makes the step short, as the term says without which it would be long enough; where no term is, the tissue.
-std::string Simulation::cause_of_short_step() const
-{
-    const std::vector<Vec3>& x = state_->motion.x;
-    const auto shortest = static_cast<std::size_t>(std::ranges::min_element(stable_steps_) - stable_steps_.begin());
-    double others = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < terms_.size(); ++k)
-    {
-        others = k == shortest ? others : std::min(others, stable_steps_[k]);
-    }
-    const bool others_would_do = others * state_->step_scale >= least_step_share * rest_dt_;
-    return terms_[others_would_do ? shortest : 0]->cause_of_short_step(x);
 }
 
 std::vector<mechanics::NamedEnergy> Simulation::energies() const

@@ -6,6 +6,7 @@
 #include "corticle/dynamics/step_plan.hpp"
 #include "corticle/mechanics/contact/contact_term.hpp"
 #include "corticle/mechanics/tissue_term.hpp"
+#include "corticle/model/growth_law.hpp"
 #include "corticle/model/model.hpp"
 #include "corticle/model/options.hpp"
 #include "corticle/model/state.hpp"
@@ -27,7 +28,12 @@ class Simulation
     /// One more force on the nodes, from the present state on. What the force throws there leaves it out again.
     void add_term(std::unique_ptr<mechanics::ForceTerm> term);
 
-    /// Starts from a state read from a checkpoint. @throws InputError where it is that of another body
+    /// Growth by this law in place of that of the case, from the start on.
+    /// @throws InputError after steps, where there is a law already, and for growth that is not 1 at the start
+    void set_growth_law(std::unique_ptr<GrowthLaw> law);
+
+    /// Starts from a state read from a checkpoint. @throws InputError where it is that of another body, or one of the
+    /// two grows by a law and the other does not
     void restore(State state);
 
     /// One accepted step, no farther than growth time `t_stop`.
@@ -80,6 +86,7 @@ class Simulation
     void start_moving();
     void start();
     dynamics::Medium medium(double t) const;
+    void grow_by_law(double t);
     void move_layer(double t);
     bool evaluate(dynamics::Motion& motion, double t, double dt);
     std::optional<dynamics::StepEnergies> advance(const dynamics::StepPlan& plan);
@@ -95,8 +102,9 @@ class Simulation
     std::unique_ptr<const SimulationOptions> options_;
     std::unique_ptr<State> state_;
     std::vector<std::unique_ptr<mechanics::ForceTerm>> terms_;
-    const mechanics::TissueTerm* tissue_ = nullptr; ///< the first of them
+    mechanics::TissueTerm* tissue_ = nullptr;       ///< the first of them
     const contact::ContactTerm* contact_ = nullptr; ///< or none
+    std::unique_ptr<GrowthByLaw> law_;              ///< or null: growth is the case's
     std::vector<double> seconds_;                   ///< of each term
     std::vector<double> stable_steps_;              ///< of each term at the last evaluation
     const std::vector<double>& mass_;               ///< density 1 [mm³]

@@ -44,20 +44,27 @@ Vec3 radial_direction(const Vec3& from_centroid)
     return distance > 0.0 ? (1.0 / distance) * from_centroid : Vec3{1.0, 0.0, 0.0};
 }
 
+/// Of a vector of any length; where it has none there are no fibres, which is told by the share of white matter.
+void set_fibre(const Vec3& vector, double& white_share, Vec3& fibre)
+{
+    const double length = norm(vector);
+    white_share = length > 0.0 ? white_share : 0.0;
+    fibre = length > 0.0 ? (1.0 / length) * vector : Vec3{1.0, 0.0, 0.0};
+}
+
 /// Of the voxel that each place lies in; where it has no vector, or there is no voxel, there are no fibres.
 void set_fibres_of_file(const std::string& file, std::span<const Vec3> places, material::TissueFields& tissue)
 {
     const formats::VectorVolume volume = formats::read_nifti_vectors(file);
     const Mat3 to_index = inverse(volume.frame.linear);
     std::size_t found = 0;
-    tissue.fibre.assign(places.size(), Vec3{1.0, 0.0, 0.0});
+    tissue.fibre.resize(places.size());
     for (std::size_t i = 0; i < places.size(); ++i)
     {
         const Vec3* const vector = volume.at(to_index * (places[i] - volume.frame.origin));
-        const double length = vector != nullptr ? norm(*vector) : 0.0;
-        tissue.white_share[i] = length > 0.0 ? tissue.white_share[i] : 0.0;
-        tissue.fibre[i] = length > 0.0 ? (1.0 / length) * *vector : tissue.fibre[i];
-        found += length > 0.0 ? 1 : 0;
+        const Vec3 there = vector != nullptr ? *vector : Vec3{};
+        set_fibre(there, tissue.white_share[i], tissue.fibre[i]);
+        found += norm(there) > 0.0 ? 1 : 0;
     }
     if (found == 0)
     {
@@ -74,9 +81,19 @@ void set_fibres(const PreparationOptions& options, const Cloud& body, std::span<
                 material::TissueFields& tissue)
 {
     const material::RemodellingOptions& remodelling = options.tissue.remodelling;
+    tissue.fibre.clear();
+    tissue.white_share.clear();
     if (remodelling.has_fibres() || remodelling.stress_growth.rate > 0.0)
     {
         tissue.white_share = white_share(options, tissue);
+    }
+    if (remodelling.has_fibres() && !tissue.given_fibre.empty())
+    {
+        for (std::size_t i = 0; i < places.size(); ++i)
+        {
+            set_fibre(tissue.given_fibre[i], tissue.white_share[i], tissue.fibre.emplace_back());
+        }
+        return;
     }
     if (remodelling.fibres.direction == material::FibreField::radial)
     {
