@@ -3,10 +3,10 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/base/gather.hpp"
-#include "corticle/config/case_file.hpp"
 #include "corticle/formats/vtk_files.hpp"
 #include "corticle/report/packed.hpp"
 #include "corticle/report/thinning.hpp"
+#include "corticle/view/anatomy.hpp"
 #include "corticle/view/robust_range.hpp"
 
 #include <fmt/format.h>
@@ -38,21 +38,6 @@ std::vector<Vec3> points_of(std::span<const double> numbers)
         points.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
     }
     return points;
-}
-
-/// The week at t of a run with a clock.
-double week_at(const formats::NumberTable& measures, double t)
-{
-    const formats::NumberColumn* const times = measures.find("t");
-    const formats::NumberColumn* const weeks = measures.find("week");
-    for (std::size_t k = 0; weeks != nullptr && times != nullptr && k < times->values.size(); ++k)
-    {
-        if (std::abs(times->values[k] - t) < model::same_output_time)
-        {
-            return weeks->values[k];
-        }
-    }
-    return std::numeric_limits<double>::quiet_NaN();
 }
 
 BodyFrame take_frame(formats::SurfaceFile file, double t, double week)
@@ -160,21 +145,9 @@ std::size_t packed_bytes(const Body& body)
 
 } // namespace
 
-bool is_brain(const fs::path& run_folder)
-{
-    try
-    {
-        return config::read_case(run_folder / "case.toml", {}).geometry.shape == prepare::Shape::file;
-    }
-    catch (const InputError&)
-    {
-        return false; // a case of another version
-    }
-}
-
 Body read_body(const record::RunContents& run, std::span<const std::size_t> chosen, std::string name)
 {
-    Body body{std::move(name), is_brain(run.folder), {}, {}};
+    Body body{std::move(name), view::body_sides(run.folder).is_brain, {}, {}};
     for (const std::size_t k : chosen)
     {
         const record::FrameFiles& files = run.frames[k];
@@ -192,7 +165,7 @@ Body read_body(const record::RunContents& run, std::span<const std::size_t> chos
             throw InputError(
                 fmt::format("{}: other triangles than at the output times before", files.surface.string()));
         }
-        body.frames.push_back(take_frame(std::move(file), files.t, week_at(run.measures, files.t)));
+        body.frames.push_back(take_frame(std::move(file), files.t, record::week_at(run.measures, files.t)));
     }
     return body;
 }

@@ -32,9 +32,6 @@ Body read_body(const record::RunContents& run, std::span<const std::size_t> chos
 /// All output times.
 Body read_body(const record::RunContents& run, std::string name);
 
-/// Left, right, front and up are known of bodies from files, not of spheres.
-bool is_brain(const std::filesystem::path& run_folder);
-
 /// The arrays into the blobs; what the content says of them, with the ranges of the scalars over all frames.
 Json pack_body(const Body& body, Blobs& blobs);
 
