@@ -125,9 +125,12 @@ void add_export(CLI::App& app, Verb& chosen)
         ->allow_extra_args(false);
     verb->add_option("--out", request->out, "Folder to write to (default: RUN/export)")->type_name("DIR");
     verb->add_flag("--overwrite", request->overwrite, "Replace files of earlier exports in the folder");
-    verb->add_option("--structure", request->structure, "GIFTI: part of the brain, CortexLeft, CortexRight, ...")
-        ->capture_default_str()
+    verb->add_option("--structure", request->structure,
+                     "GIFTI: part of the brain, CortexLeft, CortexRight, ... (default: by the case)")
         ->type_name("NAME");
+    verb->add_flag("--split", request->split,
+                   "GIFTI: a file for each hemisphere, cut in the middle across x where they are connected")
+        ->excludes("--structure");
     verb->callback([request, &chosen] { chosen = [request] { return export_command(*request); }; });
 }
 

@@ -26,6 +26,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t fewest_frames = 6;
 constexpr std::size_t fewest_vertices = 2000;
+constexpr int coarse_step = 16; ///< leaves 4096 values between the least and the largest
 
 /// Arrays of surface files that are not scalars to look at; curvedness and the like follow from what is shown.
 const std::set<std::string, std::less<>> left_out{"id", "gaussian_curvature", "curvedness", "shape_index"};
@@ -61,7 +62,7 @@ BodyFrame take_frame(formats::SurfaceFile file, double t, double week)
 Body thinned(const Body& body, std::size_t vertices)
 {
     const ThinSurface thin = thin_surface(body.triangles, body.frames.front().points.size(), vertices);
-    Body result{body.name, body.is_brain, thin.triangles, {}};
+    Body result{body.name, body.is_brain, thin.triangles, {}, body.step};
     for (const BodyFrame& frame : body.frames)
     {
         BodyFrame& less = result.frames.emplace_back(BodyFrame{frame.t, frame.week, {}, {}, {}});
@@ -85,18 +86,18 @@ void keep_frames(Body& body, std::size_t count)
     body.frames = std::move(kept);
 }
 
-Json frame_json(const BodyFrame& frame, Blobs& blobs)
+Json frame_json(const BodyFrame& frame, int step, Blobs& blobs)
 {
     Json json{{"t", frame.t}, {"week", frame.week}};
     json["points"] = pack_numbers(flattened(frame.points), 3, blobs);
     if (!frame.boundary.empty())
     {
-        json["boundary"] = pack_numbers(flattened(frame.boundary), 3, blobs);
+        json["boundary"] = pack_numbers(flattened(frame.boundary), 3, blobs, step);
     }
     json["scalars"] = Json::object();
     for (const auto& [key, values] : frame.scalars)
     {
-        json["scalars"][key] = pack_numbers(values, 1, blobs);
+        json["scalars"][key] = pack_numbers(values, 1, blobs, step);
     }
     return json;
 }
@@ -147,7 +148,7 @@ std::size_t packed_bytes(const Body& body)
 
 Body read_body(const record::RunContents& run, std::span<const std::size_t> chosen, std::string name)
 {
-    Body body{std::move(name), view::body_sides(run.folder).is_brain, {}, {}};
+    Body body{std::move(name), view::body_sides(run.folder).is_brain, {}, {}, 1};
     for (const std::size_t k : chosen)
     {
         const record::FrameFiles& files = run.frames[k];
@@ -193,7 +194,7 @@ Json pack_body(const Body& body, Blobs& blobs)
     json["frames"] = Json::array();
     for (const BodyFrame& frame : body.frames)
     {
-        json["frames"].push_back(frame_json(frame, blobs));
+        json["frames"].push_back(frame_json(frame, body.step, blobs));
     }
     return json;
 }
@@ -207,6 +208,14 @@ Json pack_bodies(std::vector<Body> bodies, std::size_t most_bytes, Blobs& blobs,
         const std::size_t frames = body.frames.size();
         const std::size_t vertices = body.frames.front().points.size();
         std::size_t bytes = bytes_at_most(body) > share ? packed_bytes(body) : 0;
+        if (bytes > share)
+        {
+            body.step = coarse_step;
+            bytes = packed_bytes(body);
+            notes.push_back(fmt::format("{}: to keep the page small, values at vertices are rounded to 1/{} of their "
+                                        "range (--max-mb).",
+                                        body.name, 65536 / coarse_step));
+        }
         if (bytes > share && frames > fewest_frames)
         {
             keep_frames(body, std::max(fewest_frames, frames * share / bytes));
