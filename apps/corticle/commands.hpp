@@ -10,7 +10,7 @@
 #include "corticle/study/preparation_folder.hpp"
 #include "corticle/study/sensitivity/sensitivity.hpp"
 #include "corticle/study/sweep/sweep.hpp"
-#include "corticle/view/run_figures.hpp"
+#include "corticle/view/figures/run_figures.hpp"
 
 #include <filesystem>
 #include <optional>

@@ -83,7 +83,8 @@ def movies(bench):
     if shutil.which("ffmpeg") is None:
         bench.check(not mp4.exists(), "an MP4 without ffmpeg")
         return
-    found = subprocess.run(["ffmpeg", "-nostdin", "-v", "error", "-i", f"file:{mp4}", "-f", "framehash", "-"], capture_output=True, text=True)
+    found = subprocess.run(["ffmpeg", "-nostdin", "-v", "error", "-i", f"file:{mp4}", "-f", "framehash", "-"],
+                           capture_output=True, text=True)
     count = sum(not line.startswith("#") for line in found.stdout.splitlines())
     bench.check(found.returncode == 0 and count == 5, f"the MP4 has {count} frames; {found.stderr!r}")
     status, _, errors = bench.call("render", "run", *movie, "--transparent", "--out", "glass")

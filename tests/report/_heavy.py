@@ -52,7 +52,8 @@ def write_vtp(numpy, path, points, triangles, fields):
     connectivity = add("connectivity", triangles.astype("<i8"), 1, "Int64")
     ends = add("offsets", numpy.arange(3, 3 * len(triangles) + 1, 3, dtype="<i8"), 1, "Int64")
     head = (f'<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">\n<PolyData>\n'
-            f'<Piece NumberOfPoints="{len(points)}" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys="{len(triangles)}">\n'
+            f'<Piece NumberOfPoints="{len(points)}" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" '
+            f'NumberOfPolys="{len(triangles)}">\n'
             f'<PointData>{"".join(arrays)}</PointData>\n<Points>{place}</Points>\n<Polys>{connectivity}{ends}</Polys>\n'
             '</Piece>\n</PolyData>\n<AppendedData encoding="raw">\n_')
     path.write_bytes(head.encode() + b"".join(blocks) + b"\n</AppendedData>\n</VTKFile>\n")

@@ -6,7 +6,7 @@
 #include "corticle/formats/vtk_files.hpp"
 #include "corticle/report/packed.hpp"
 #include "corticle/report/thinning.hpp"
-#include "corticle/view/anatomy.hpp"
+#include "corticle/view/figures/anatomy.hpp"
 #include "corticle/view/robust_range.hpp"
 
 #include <fmt/format.h>

@@ -11,7 +11,7 @@
 #include "corticle/formats/xml_tag.hpp"
 #include "corticle/record/result_folder.hpp"
 #include "corticle/study/hemispheres.hpp"
-#include "corticle/view/anatomy.hpp"
+#include "corticle/view/figures/anatomy.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/view/run_figures.hpp"
+#include "corticle/view/figures/run_figures.hpp"
 
 #include "corticle/base/error.hpp"
 #include "corticle/record/result_folder.hpp"
-#include "corticle/view/movie.hpp"
+#include "corticle/view/figures/movie.hpp"
 #include "corticle/view/run_pictures.hpp"
 #include "corticle/view/words.hpp"
 

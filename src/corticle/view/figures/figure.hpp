@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/view/anatomy.hpp"
+#include "corticle/view/figures/anatomy.hpp"
 #include "corticle/view/pictures.hpp"
 
 #include <filesystem>

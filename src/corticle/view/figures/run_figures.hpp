@@ -2,8 +2,8 @@
 #pragma once
 
 #include "corticle/config/choices.hpp"
-#include "corticle/view/anatomy.hpp"
 #include "corticle/view/color_map.hpp"
+#include "corticle/view/figures/anatomy.hpp"
 
 #include <filesystem>
 #include <optional>

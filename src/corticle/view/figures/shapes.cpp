@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/view/shapes.hpp"
+#include "corticle/view/figures/shapes.hpp"
 
 #include "corticle/base/error.hpp"
 #include "corticle/formats/vtk_files.hpp"

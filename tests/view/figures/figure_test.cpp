@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/view/figure.hpp"
+#include "corticle/view/figures/figure.hpp"
 
 #include "corticle/base/error.hpp"
 #include "corticle/geometry/shapes.hpp"

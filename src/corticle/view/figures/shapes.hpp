@@ -2,7 +2,7 @@
 #pragma once
 
 #include "corticle/record/run_reader.hpp"
-#include "corticle/view/figure.hpp"
+#include "corticle/view/figures/figure.hpp"
 
 #include <vector>
 

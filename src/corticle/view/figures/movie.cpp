@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/view/movie.hpp"
+#include "corticle/view/figures/movie.hpp"
 
 #include "corticle/base/child_process.hpp"
 #include "corticle/base/error.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/view/shapes.hpp"
+#include "corticle/view/figures/shapes.hpp"
 
 #include <filesystem>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/view/anatomy.hpp"
+#include "corticle/view/figures/anatomy.hpp"
 
 #include "corticle/base/error.hpp"
 #include "corticle/config/toml_document.hpp"
