@@ -70,7 +70,7 @@ export class Viewer {
         this.mapChoice = choice([], "", (map) => this.setMap(map), { "aria-label": "Colour map" });
         this.low = element("input", { type: "number", step: "any", "aria-label": "Lower end of the colours", onchange: () => this.setOwnRange() });
         this.high = element("input", { type: "number", step: "any", "aria-label": "Upper end of the colours", onchange: () => this.setOwnRange() });
-        this.ruleChoice = choice([["robust", "2 to 98 %"], ["full", "least to largest"], ["own", "as entered"]], this.rule,
+        this.ruleChoice = choice([["robust", "most values"], ["full", "least to largest"], ["own", "as entered"]], this.rule,
             (rule) => this.setRule(rule));
         this.scalarChoice = choice(this.keys.map((key) => [key, capital(this.scalar(key).label)]), this.key, (key) => this.setScalar(key));
         this.sentence = element("p", { class: "hint" });

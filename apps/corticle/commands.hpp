@@ -10,6 +10,7 @@
 #include "corticle/study/preparation_folder.hpp"
 #include "corticle/study/sensitivity/sensitivity.hpp"
 #include "corticle/study/sweep/sweep.hpp"
+#include "corticle/view/figures/run_figures.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -37,8 +38,12 @@ struct RunArguments
 };
 int run_command(RunArguments arguments);
 
-/// Without a folder: runs/<stem of the sweep>.
-int sweep_command(sweep::SweepRequest request);
+struct SweepArguments
+{
+    sweep::SweepRequest request; ///< out empty: runs/<stem of the sweep>
+    bool report = true;          ///< also write report.html
+};
+int sweep_command(SweepArguments arguments);
 
 /// Without a folder: runs/<stem of the fit>.
 int fit_command(fit::FitRequest request);
@@ -99,16 +104,18 @@ struct CompareArguments
 {
     study::ComparisonRequest request;
     bool json = false;
+    bool report = true; ///< also write report.html
 };
 int compare_command(const CompareArguments& arguments);
 
-struct RenderArguments
-{
-    std::filesystem::path run_folder;
-};
-int render_command(const RenderArguments& arguments);
+/// With nothing asked for but the folder: the usual pictures again.
+int render_command(const view::FigureRequest& request);
 
 int report_command(const report::ReportRequest& request);
+
+/// report.html of results that are done whether or not they can be shown: what keeps it away is a warning. Says whether
+/// it was written.
+bool write_report_beside(const std::filesystem::path& folder, bool is_quiet);
 
 int export_command(const study::ExportRequest& request);
 

@@ -19,6 +19,7 @@ int compare_command(const CompareArguments& arguments)
     {
         std::fprintf(stderr, "corticle: warning: no pictures: %s\n", outcome.pictures.reason.c_str());
     }
+    const bool has_page = arguments.report && write_report_beside(outcome.folder, false);
     if (arguments.json)
     {
         fmt::print("{}", outcome.json);
@@ -26,6 +27,10 @@ int compare_command(const CompareArguments& arguments)
     else
     {
         fmt::print("{}wrote {}\n", outcome.summary, (outcome.folder / "report.md").string());
+        if (has_page)
+        {
+            fmt::print("open {}\n", (outcome.folder / report::report_file).string());
+        }
     }
     return exit_status::done;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "commands.hpp"
+#include "command_line.hpp"
 
 #include "corticle/base/error.hpp"
 #include "corticle/base/version.hpp"
@@ -8,24 +8,19 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-
-#include <cstdio>
-#include <functional>
 #include <iostream>
 #include <memory>
 #include <new>
 
-// The only file that knows the command line.
+// This file and show_verbs.cpp alone know the command line.
 
 namespace
 {
 
 using namespace corticle;
-
-using Verb = std::function<int()>;
 
 /// One line on stderr, whatever the message holds.
 int complain(std::string message, int status)
@@ -37,18 +32,6 @@ int complain(std::string message, int status)
     message.erase(message.find_last_not_of(' ') + 1);
     std::fprintf(stderr, "corticle: error: %s\n", message.c_str());
     return status;
-}
-
-/// An option that is one of the names of an enumeration, as in cases.
-template <class T>
-CLI::Option* add_choice(CLI::App& verb, const std::string& name, T& chosen, const std::string& meaning)
-{
-    const std::vector<std::string> names = config::names<T>();
-    const auto take = [&chosen, names](const std::string& word)
-    { chosen = static_cast<T>(std::ranges::find(names, word) - names.begin()); };
-    return verb.add_option_function<std::string>(name, take, meaning)
-        ->check(CLI::IsMember(names))
-        ->default_str(names[static_cast<std::size_t>(chosen)]);
 }
 
 void add_overrides(CLI::App& verb, std::vector<std::string>& overrides)
@@ -64,6 +47,12 @@ void add_threads(CLI::App& verb, int& threads)
     verb.add_option("--threads", threads, "Number of threads (default: all cores)")
         ->type_name("N")
         ->check(CLI::Range(1, 1024));
+}
+
+void add_no_report(CLI::App& verb, bool& report)
+{
+    verb.add_flag_callback(
+        "--no-report", [&report] { report = false; }, "Do not write report.html");
 }
 
 void add_run(CLI::App& app, Verb& chosen)
@@ -100,7 +89,8 @@ void add_many_runs(CLI::App& verb, Request& request)
 
 void add_sweep(CLI::App& app, Verb& chosen)
 {
-    auto request = std::make_shared<sweep::SweepRequest>();
+    auto arguments = std::make_shared<SweepArguments>();
+    sweep::SweepRequest* const request = &arguments->request;
     CLI::App* verb = app.add_subcommand("sweep", "Run a case for many values of its keys; goes on where it stopped");
     verb->add_option("sweep", request->file, "Sweep to run")->type_name("SWEEP.toml")->required();
     verb->add_option("--out", request->out, "Folder of the sweep (default: runs/<name of the sweep>)")
@@ -118,7 +108,8 @@ void add_sweep(CLI::App& app, Verb& chosen)
     verb->add_flag("--gather", request->gather, "Make no runs; write tables and pictures of those that are there");
     verb->add_flag("--cases-only", request->cases_only, "Write the case of each run to DIR/cases and make none");
     verb->add_flag("--list", request->list, "Print the runs and how they stand; write nothing");
-    verb->callback([request, &chosen] { chosen = [request] { return sweep_command(*request); }; });
+    add_no_report(*verb, arguments->report);
+    verb->callback([arguments, &chosen] { chosen = [arguments] { return sweep_command(*arguments); }; });
 }
 
 void add_study(CLI::App& verb, fit::FitRequest& request)
@@ -259,51 +250,8 @@ void add_compare(CLI::App& app, Verb& chosen)
         ->allow_extra_args(false);
     add_real_surface(*verb, request.real);
     verb->add_flag("--json", arguments->json, "Print the comparison as JSON");
+    add_no_report(*verb, arguments->report);
     verb->callback([arguments, &chosen] { chosen = [arguments] { return compare_command(*arguments); }; });
-}
-
-void add_render(CLI::App& app, Verb& chosen)
-{
-    auto arguments = std::make_shared<RenderArguments>();
-    CLI::App* verb = app.add_subcommand("render", "Draw the pictures of a run folder again");
-    verb->add_option("run", arguments->run_folder, "Run folder")->type_name("RUN")->required();
-    verb->callback([arguments, &chosen] { chosen = [arguments] { return render_command(*arguments); }; });
-}
-
-void add_report(CLI::App& app, Verb& chosen)
-{
-    auto request = std::make_shared<report::ReportRequest>();
-    CLI::App* verb = app.add_subcommand("report", "Write report.html: one page for any browser, offline");
-    verb->add_option("folder", request->folder, "Folder of a run, a comparison or a sweep")
-        ->type_name("FOLDER")
-        ->required();
-    verb->add_option("--max-mb", request->megabytes,
-                     "Largest size of the page; output times, then vertices, are left out to keep it")
-        ->capture_default_str()
-        ->type_name("MB")
-        ->check(CLI::Range(2.0, 2000.0));
-    verb->callback([request, &chosen] { chosen = [request] { return report_command(*request); }; });
-}
-
-void add_export(CLI::App& app, Verb& chosen)
-{
-    auto request = std::make_shared<study::ExportRequest>();
-    CLI::App* verb = app.add_subcommand("export", "Write the deformed surface of a run for other programs");
-    verb->add_option("run", request->run, "Run folder")->type_name("RUN")->required();
-    add_choice(*verb, "--format", request->format, "gifti, freesurfer, ply or stl")
-        ->type_name("FORMAT")
-        ->default_str("")
-        ->required();
-    verb->add_option("--time", request->times, "Growth time; the nearest frame is written (default: the last)")
-        ->type_name("T")
-        ->type_size(1)
-        ->allow_extra_args(false);
-    verb->add_option("--out", request->out, "Folder to write to (default: RUN/export)")->type_name("DIR");
-    verb->add_flag("--overwrite", request->overwrite, "Replace files of earlier exports in the folder");
-    verb->add_option("--structure", request->structure, "GIFTI: part of the brain, CortexLeft, CortexRight, ...")
-        ->capture_default_str()
-        ->type_name("NAME");
-    verb->callback([request, &chosen] { chosen = [request] { return export_command(*request); }; });
 }
 
 int dispatch(int argc, char** argv)

@@ -3,8 +3,27 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
+
 namespace corticle
 {
+
+bool write_report_beside(const std::filesystem::path& folder, bool is_quiet)
+{
+    try
+    {
+        report::write_report({folder});
+        return true;
+    }
+    catch (const std::exception& error)
+    {
+        if (!is_quiet)
+        {
+            fmt::print(stderr, "corticle: warning: {}\n", error.what());
+        }
+        return false;
+    }
+}
 
 int report_command(const report::ReportRequest& request)
 {

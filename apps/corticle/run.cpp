@@ -3,42 +3,14 @@
 
 #include "corticle/config/case_file.hpp"
 #include "corticle/config/case_inputs.hpp"
-#include "corticle/report/report.hpp"
 #include "corticle/report/run_ending.hpp"
 #include "corticle/study/interruption.hpp"
 #include "corticle/study/run_folder.hpp"
 
 #include <fmt/format.h>
 
-#include <cstdio>
-
 namespace corticle
 {
-
-namespace
-{
-
-/// The run is done whether or not it can be shown.
-void write_report(const record::RunRequest& request)
-{
-    if (request.options.output.report != config::PictureRule::on)
-    {
-        return;
-    }
-    try
-    {
-        report::write_report({request.out});
-    }
-    catch (const std::exception& error)
-    {
-        if (!request.quiet)
-        {
-            fmt::print(stderr, "corticle: warning: {}\n", error.what());
-        }
-    }
-}
-
-} // namespace
 
 int run_command(RunArguments arguments)
 {
@@ -59,7 +31,10 @@ int run_command(RunArguments arguments)
     {
         return exit_status::interrupted;
     }
-    write_report(request);
+    if (request.options.output.report == config::PictureRule::on)
+    {
+        write_report_beside(request.out, request.quiet);
+    }
     if (!request.quiet)
     {
         fmt::print("{}", report::run_ending(request.out));

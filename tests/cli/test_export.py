@@ -4,6 +4,7 @@
 import json
 import struct
 import sys
+from xml.etree import ElementTree
 
 import _command
 
@@ -81,6 +82,8 @@ def formats(bench):
         bench.check(shape.darrays[0].meta["Name"] == name, f"GIFTI: name of {name}")
         bench.check(shape.darrays[0].intent == nibabel.nifti1.intent_codes["NIFTI_INTENT_SHAPE"], f"GIFTI: {name}")
 
+    hemispheres(bench, single, triangles, {name: properties[name].astype(numpy.float32) for name in scalars})
+
     bench.accepted("export", "run", "--format", "freesurfer", "--out", "freesurfer")
     stem = bench.folder / "freesurfer" / "surface_t0.020"
     got_points, got_triangles, geometry = nibabel.freesurfer.read_geometry(f"{stem}.surf", read_metadata=True)
@@ -100,6 +103,34 @@ def formats(bench):
                  "stl/surface_t0.020.stl"):
         area = json.loads(bench.accepted("measure", name, "--json"))["area_mm2"]
         bench.check(abs(area / summary["area_mm2"] - 1) < 1e-5, f"{name}: area {area}, run says {summary['area_mm2']}")
+
+
+def hemispheres(bench, points, triangles, arrays):
+    """--split: the triangles of both files are those of the whole; the specification names every file."""
+    bench.accepted("export", "run", "--format", "gifti", "--out", "halves", "--split")
+    folder = bench.folder / "halves"
+    corners, middle = [], 0.5 * (points[:, 0].min() + points[:, 0].max())
+    for letter, structure in (("L", "CortexLeft"), ("R", "CortexRight")):
+        surface = nibabel.load(folder / f"surface_t0.020.{letter}.surf.gii")
+        half, faces = surface.agg_data(("pointset", "triangle"))
+        bench.check(half.dtype == numpy.float32 and faces.dtype == numpy.int32, f"{letter}: {half.dtype}, {faces.dtype}")
+        bench.check(surface.meta["AnatomicalStructurePrimary"] == structure, f"{letter}: metadata {surface.meta}")
+        centers = half[faces].mean(axis=1)[:, 0]
+        bench.check(numpy.all((centers < middle) == (letter == "L")), f"{letter}: a triangle lies on the other side")
+        corners.append(half[faces])
+        for name, values in arrays.items():
+            got = nibabel.load(folder / f"surface_t0.020.{letter}.{name}.shape.gii").agg_data()
+            known = dict(zip(map(tuple, points), values))
+            bench.check(all(known[tuple(point)] == value for point, value in zip(half, got)), f"{letter}: {name}")
+    ordered = lambda all_corners: sorted(map(tuple, all_corners.reshape(-1, 9)))
+    bench.check(ordered(numpy.concatenate(corners)) == ordered(points[triangles]), "halves: not the triangles of the whole")
+    entries = [(entry.get("Structure"), entry.get("DataFileType"), entry.text.strip())
+               for entry in ElementTree.parse(folder / "surface_t0.020.spec").getroot().iter("DataFile")]
+    files = sorted(path.name for path in folder.glob("*.gii"))
+    bench.check(sorted(name for _, _, name in entries) == files, f"spec: {entries}")
+    for structure, kind, name in entries:
+        bench.check(structure == ("CortexLeft" if ".L." in name else "CortexRight"), f"spec: {name} is {structure}")
+        bench.check(kind == ("SURFACE" if name.endswith(".surf.gii") else "METRIC"), f"spec: {name} is {kind}")
 
 
 def times_and_refusals(bench):

@@ -105,6 +105,9 @@ TEST_F(BodyMapsTest, RegionsTakeTheirFactorFromTheTable)
     options.region_file = vertex_map("regions.csv", [](const Vec3& X) { return X.x > 0.0 ? 2 : 1; });
     options.region_table = write("table.csv", "label,growth\n1,0.5\n2,3\n");
     EXPECT_EQ(read(options).growth, (std::vector<double>{3.0, 0.5, read(options).growth[2], 3.0}));
+    const std::vector<double> labels = read(options).region; // 2 where growth is 3
+    EXPECT_EQ(labels, (std::vector<double>{2.0, 1.0, labels[2], 2.0}));
+    EXPECT_TRUE(read({}).region.empty());
     options.region_file = volume_map("regions.nii.gz", [](const Vec3& X) { return X.y > 0.0 ? 2 : 1; });
     EXPECT_EQ(read(options).growth, (std::vector<double>{read(options).growth[0], 3.0, 3.0, 0.5}));
 }

@@ -24,6 +24,7 @@ TEST(BodyFile, ReadsBackToTheSameBits)
         written.tissue.growth_onset.push_back(0.02 * x);
         written.tissue.growth_rate.push_back(2.0 + 0.03 * x);
         written.tissue.thickness.push_back(2.0 + 0.04 * x);
+        written.tissue.region.push_back(x > 0.0 ? 7.0 : 3.0);
     }
     prepare::connect_body(options, made);
     record::write_body(folder / "body.h5", made, options);
@@ -43,6 +44,7 @@ TEST(BodyFile, ReadsBackToTheSameBits)
     EXPECT_EQ(body.tissue.growth_onset, written.tissue.growth_onset);
     EXPECT_EQ(body.tissue.growth_rate, written.tissue.growth_rate);
     EXPECT_EQ(body.tissue.thickness, written.tissue.thickness);
+    EXPECT_EQ(body.tissue.region, written.tissue.region);
     EXPECT_EQ(body.particles.pairs.place, written.particles.pairs.place);
     EXPECT_EQ(body.particles.pairs.weight, written.particles.pairs.weight);
 }

@@ -24,3 +24,11 @@ def brain(bench, name="brain"):
         bench.accepted("new", "brain")
     return run(bench, name, "brain.toml", "time.clock=wang", "time.start_week=24", "time.end_week=27", "output.count=3",
                "size.law=quadratic", "geometry.particles=4000")
+
+
+def weeks(bench, name="weeks"):
+    """A phantom brain at each week from 23 to 38."""
+    if not (bench.folder / "brain.toml").exists():
+        bench.accepted("new", "brain")
+    return run(bench, name, "brain.toml", "time.clock=wang", "time.start_week=23", "time.end_week=38", "output.count=15",
+               "size.law=quadratic", "output.report=off")

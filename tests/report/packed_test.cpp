@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace corticle
@@ -75,6 +76,32 @@ TEST(Packed, NumbersComeBackToHalfAStep)
         EXPECT_NEAR(back[i], values[i], 1.001 * error + 1e-12) << i;
     }
     EXPECT_DOUBLE_EQ(back[5], -3.0); // a constant is exact
+}
+
+TEST(Packed, CoarseNumbersAreSmallerAndComeBackToHalfTheirStep)
+{
+    std::vector<double> values;
+    std::uint64_t state = 1;
+    for (int i = 0; i < 4000; ++i) // noise, which does not deflate
+    {
+        state = state * 6364136223846793005u + 1442695040888963407u;
+        values.push_back(static_cast<double>(state >> 40));
+    }
+    report::Blobs fine;
+    report::Blobs coarse;
+    report::pack_numbers(values, 1, fine);
+    const report::Json json = report::pack_numbers(values, 1, coarse, 16);
+    EXPECT_LT(static_cast<double>(coarse.bytes()),
+              0.9 * static_cast<double>(fine.bytes())); // differences of 12 bits take 13 of 16 or 17
+    const std::vector<double> back = unpacked(json, coarse);
+    double largest = 0.0;
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+        largest = std::max(largest, std::abs(back[i] - values[i]));
+    }
+    const double error = report::packing_error(json["low"][0], json["high"][0], 16);
+    EXPECT_LE(largest, 1.001 * error);
+    EXPECT_GT(largest, 0.9 * error);
 }
 
 TEST(Packed, WhatIsNoNumberStaysNone)

@@ -23,6 +23,32 @@ TEST(RobustRange, OneCleftDoesNotDecide)
     EXPECT_DOUBLE_EQ(view::full_range(values).high, 500.0);
 }
 
+TEST(RobustRange, ALongTailDoesNotDecide)
+{
+    // As the depth of sulci with the walls of the fissure between the hemispheres, every tenth value far beyond.
+    std::vector<double> values;
+    for (int i = 0; i < 900; ++i)
+    {
+        values.push_back(0.01 * i);
+    }
+    for (int i = 0; i < 100; ++i)
+    {
+        values.push_back(30.0 + 0.3 * i);
+    }
+    // Quartiles 2.5 and 7.5: 7.5 + 1.5 * 5 = 15; the 98th percentile is 54.
+    EXPECT_NEAR(view::robust_range(values).high, 15.0, 1.1);
+    EXPECT_NEAR(view::robust_range(values).low, 0.0, 1e-12);
+}
+
+TEST(RobustRange, TailsOfAConstantAreShown)
+{
+    // Growth that is the same in the cortex, and less in one vertex of ten.
+    std::vector<double> values(900, 2.35);
+    values.resize(1000, 1.4);
+    EXPECT_LE(view::robust_range(values).low, 1.4 + 1e-12);
+    EXPECT_GE(view::robust_range(values).high, 2.35 - 1e-12);
+}
+
 TEST(RobustRange, ConstantsLieInTheMiddle)
 {
     const std::vector<double> values{2.82805, 2.8281, 2.82824};

@@ -53,6 +53,7 @@ struct TissueFields
     GrowthMaps growth_maps;             ///< by which m is multiplied, or none
     std::vector<double> growth_onset;   ///< [t], or empty
     std::vector<double> growth_rate;    ///< [1/t], or empty
+    std::vector<double> region;         ///< label of the region, for files alone, or empty
     std::vector<double> thickness;      ///< H_i of the closest surface point [mm], or empty
     std::vector<double> given_theta;    ///< a cortex that does not follow from depth and thickness [-], or empty
     std::vector<double> cortex_inside;  ///< distance from the inner boundary of a labelled cortex, positive in the

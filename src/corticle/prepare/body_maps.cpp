@@ -137,7 +137,8 @@ BodyMaps read_body_maps(const MapOptions& options, const TriangleMesh& surface, 
     }
     if (!options.region_file.empty())
     {
-        apply_regions(options, sampler.labels({"map.region_file", options.region_file, options.region_array}), maps);
+        maps.region = sampler.labels({"map.region_file", options.region_file, options.region_array});
+        apply_regions(options, maps.region, maps);
     }
     if (!options.still_file.empty())
     {

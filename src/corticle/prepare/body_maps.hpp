@@ -18,6 +18,7 @@ struct BodyMaps
     std::vector<std::vector<double>> growth_series; ///< maps in time by which m is multiplied, one for each time
     std::vector<double> onset;                      ///< of growth [t], one per point; empty: the same everywhere
     std::vector<double> rate;                       ///< of growth [1/t], one per point; empty: the same everywhere
+    std::vector<double> region;                     ///< label of the region, one per point; empty: there are none
     std::vector<double> thickness;     ///< of the cortex at t = 0 [mm], one per point; empty: the same everywhere
     std::vector<std::string> notes;    ///< how each map reaches the points, one line each
     std::vector<std::string> warnings; ///< what of a map is lost between them, one line each

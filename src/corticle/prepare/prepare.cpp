@@ -68,6 +68,7 @@ BodyMaps set_maps(const MapOptions& options, const TriangleMesh& map_surface, st
     tissue.growth_maps.values = std::move(maps.growth_series);
     tissue.growth_onset = std::move(maps.onset);
     tissue.growth_rate = std::move(maps.rate);
+    tissue.region = std::move(maps.region);
     tissue.thickness = std::move(maps.thickness);
     return maps;
 }

@@ -74,6 +74,10 @@ void store_tissue(const material::TissueFields& tissue, const std::string& prefi
     {
         image.scalars[fmt::format("{}growth_map_{}", prefix, k)] = tissue.growth_maps.values[k];
     }
+    if (!tissue.region.empty())
+    {
+        image.scalars[prefix + "region"] = tissue.region;
+    }
     if (!tissue.cortex_inside.empty())
     {
         image.scalars[prefix + "cortex_inside"] = tissue.cortex_inside;
@@ -97,6 +101,10 @@ material::TissueFields stored_tissue(const Checkpoint& image, const std::string&
     for (std::size_t k = 0; image.scalars.contains(map_name(k)); ++k)
     {
         tissue.growth_maps.values.push_back(image.scalars.at(map_name(k)));
+    }
+    if (image.scalars.contains(prefix + "region"))
+    {
+        tissue.region = image.scalars.at(prefix + "region");
     }
     if (image.scalars.contains(prefix + "cortex_inside"))
     {

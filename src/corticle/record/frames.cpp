@@ -154,20 +154,26 @@ void write_frame(const std::filesystem::path& folder, const model::OutputView& v
     const std::vector<double> stress = surface_values(cloud, von_mises(a.stress));
     const std::vector<double> boundary = flattened(arrays.boundary);
     const metrics::Curvature& curvature = arrays.folds.curvature;
-    const std::vector surface_fields{formats::Field{"J", 1, frame.surface_J},
-                                     formats::Field{"theta", 1, theta},
-                                     formats::Field{"growth", 1, frame.surface_growth},
-                                     formats::Field{"displacement", 3, displacement},
-                                     formats::Field{"mean_curvature", 1, curvature.mean},
-                                     formats::Field{"gaussian_curvature", 1, curvature.gaussian},
-                                     formats::Field{"shape_index", 1, curvature.shape_index},
-                                     formats::Field{"curvedness", 1, curvature.curvedness},
-                                     formats::Field{"sulcal_depth", 1, arrays.folds.sulcal_depth},
-                                     formats::Field{"local_gyrification", 1, arrays.folds.local_gyrification},
-                                     formats::Field{"thickness", 1, arrays.thickness},
-                                     formats::Field{"von_mises", 1, stress},
-                                     formats::Field{"cortex_boundary", 3, boundary},
-                                     formats::Field{"id", 1, id}};
+    const std::vector<double> region =
+        tissue.region.empty() ? std::vector<double>{} : surface_values(cloud, tissue.region);
+    std::vector surface_fields{formats::Field{"J", 1, frame.surface_J},
+                               formats::Field{"theta", 1, theta},
+                               formats::Field{"growth", 1, frame.surface_growth},
+                               formats::Field{"displacement", 3, displacement},
+                               formats::Field{"mean_curvature", 1, curvature.mean},
+                               formats::Field{"gaussian_curvature", 1, curvature.gaussian},
+                               formats::Field{"shape_index", 1, curvature.shape_index},
+                               formats::Field{"curvedness", 1, curvature.curvedness},
+                               formats::Field{"sulcal_depth", 1, arrays.folds.sulcal_depth},
+                               formats::Field{"local_gyrification", 1, arrays.folds.local_gyrification},
+                               formats::Field{"thickness", 1, arrays.thickness},
+                               formats::Field{"von_mises", 1, stress},
+                               formats::Field{"cortex_boundary", 3, boundary},
+                               formats::Field{"id", 1, id}};
+    if (!region.empty())
+    {
+        surface_fields.push_back({"region", 1, region});
+    }
     formats::write_surface_vtp(folder / ("surface_" + frame.name + ".vtp"), frame.surface, frame.triangles,
                                surface_fields);
 }

@@ -42,7 +42,7 @@ double mean_spacing(std::span<const double> volumes);
 Frame make_frame(const model::OutputView& view, const metrics::SurfaceArrays& arrays, std::string name);
 
 /// Writes surface_NAME.vtp (J, theta, growth, displacement, the arrays measured on the surface,
-/// von_mises, cortex_boundary, id) and
+/// von_mises, cortex_boundary, id, and region where the body has labels) and
 /// particles_NAME.vtu (J, theta, growth, F, stress, displacement, depth, normal, volume, id), each whole or not at all.
 void write_frame(const std::filesystem::path& folder, const model::OutputView& view, const Frame& frame,
                  const metrics::SurfaceArrays& arrays);

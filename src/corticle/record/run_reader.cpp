@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace corticle::record
 {
@@ -131,6 +132,20 @@ RunContents read_run(const fs::path& folder)
         throw InputError(fmt::format("{}: t does not ascend from row to row; expected output times", file.string()));
     }
     return run;
+}
+
+double week_at(const formats::NumberTable& measures, double t)
+{
+    const formats::NumberColumn* const times = measures.find("t");
+    const formats::NumberColumn* const weeks = measures.find("week");
+    for (std::size_t k = 0; weeks != nullptr && times != nullptr && k < times->values.size(); ++k)
+    {
+        if (std::abs(times->values[k] - t) < model::same_output_time)
+        {
+            return weeks->values[k];
+        }
+    }
+    return std::numeric_limits<double>::quiet_NaN();
 }
 
 Frame read_frame(const FrameFiles& files)

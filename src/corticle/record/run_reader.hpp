@@ -36,6 +36,9 @@ std::vector<FrameFiles> list_frames(const std::filesystem::path& folder);
 /// Measures and output times of a run folder. @throws InputError as list_frames, and when measures.csv is damaged
 RunContents read_run(const std::filesystem::path& folder);
 
+/// The week at growth time t, from the measures of a run with a clock; NaN where they hold none.
+double week_at(const formats::NumberTable& measures, double t);
+
 /// A frame from its files; their names end in "_NAME.vtp" and "_NAME.vtu". @throws InputError
 Frame read_frame(const FrameFiles& files);
 

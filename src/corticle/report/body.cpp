@@ -3,10 +3,10 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/base/gather.hpp"
-#include "corticle/config/case_file.hpp"
 #include "corticle/formats/vtk_files.hpp"
 #include "corticle/report/packed.hpp"
 #include "corticle/report/thinning.hpp"
+#include "corticle/view/figures/anatomy.hpp"
 #include "corticle/view/robust_range.hpp"
 
 #include <fmt/format.h>
@@ -26,6 +26,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t fewest_frames = 6;
 constexpr std::size_t fewest_vertices = 2000;
+constexpr int coarse_step = 16; ///< leaves 4096 values between the least and the largest
 
 /// Arrays of surface files that are not scalars to look at; curvedness and the like follow from what is shown.
 const std::set<std::string, std::less<>> left_out{"id", "gaussian_curvature", "curvedness", "shape_index"};
@@ -38,21 +39,6 @@ std::vector<Vec3> points_of(std::span<const double> numbers)
         points.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
     }
     return points;
-}
-
-/// The week at t of a run with a clock.
-double week_at(const formats::NumberTable& measures, double t)
-{
-    const formats::NumberColumn* const times = measures.find("t");
-    const formats::NumberColumn* const weeks = measures.find("week");
-    for (std::size_t k = 0; weeks != nullptr && times != nullptr && k < times->values.size(); ++k)
-    {
-        if (std::abs(times->values[k] - t) < model::same_output_time)
-        {
-            return weeks->values[k];
-        }
-    }
-    return std::numeric_limits<double>::quiet_NaN();
 }
 
 BodyFrame take_frame(formats::SurfaceFile file, double t, double week)
@@ -76,7 +62,7 @@ BodyFrame take_frame(formats::SurfaceFile file, double t, double week)
 Body thinned(const Body& body, std::size_t vertices)
 {
     const ThinSurface thin = thin_surface(body.triangles, body.frames.front().points.size(), vertices);
-    Body result{body.name, body.is_brain, thin.triangles, {}};
+    Body result{body.name, body.is_brain, thin.triangles, {}, body.step};
     for (const BodyFrame& frame : body.frames)
     {
         BodyFrame& less = result.frames.emplace_back(BodyFrame{frame.t, frame.week, {}, {}, {}});
@@ -100,18 +86,18 @@ void keep_frames(Body& body, std::size_t count)
     body.frames = std::move(kept);
 }
 
-Json frame_json(const BodyFrame& frame, Blobs& blobs)
+Json frame_json(const BodyFrame& frame, int step, Blobs& blobs)
 {
     Json json{{"t", frame.t}, {"week", frame.week}};
     json["points"] = pack_numbers(flattened(frame.points), 3, blobs);
     if (!frame.boundary.empty())
     {
-        json["boundary"] = pack_numbers(flattened(frame.boundary), 3, blobs);
+        json["boundary"] = pack_numbers(flattened(frame.boundary), 3, blobs, step);
     }
     json["scalars"] = Json::object();
     for (const auto& [key, values] : frame.scalars)
     {
-        json["scalars"][key] = pack_numbers(values, 1, blobs);
+        json["scalars"][key] = pack_numbers(values, 1, blobs, step);
     }
     return json;
 }
@@ -160,21 +146,9 @@ std::size_t packed_bytes(const Body& body)
 
 } // namespace
 
-bool is_brain(const fs::path& run_folder)
-{
-    try
-    {
-        return config::read_case(run_folder / "case.toml", {}).geometry.shape == prepare::Shape::file;
-    }
-    catch (const InputError&)
-    {
-        return false; // a case of another version
-    }
-}
-
 Body read_body(const record::RunContents& run, std::span<const std::size_t> chosen, std::string name)
 {
-    Body body{std::move(name), is_brain(run.folder), {}, {}};
+    Body body{std::move(name), view::body_sides(run.folder).is_brain, {}, {}, 1};
     for (const std::size_t k : chosen)
     {
         const record::FrameFiles& files = run.frames[k];
@@ -192,7 +166,7 @@ Body read_body(const record::RunContents& run, std::span<const std::size_t> chos
             throw InputError(
                 fmt::format("{}: other triangles than at the output times before", files.surface.string()));
         }
-        body.frames.push_back(take_frame(std::move(file), files.t, week_at(run.measures, files.t)));
+        body.frames.push_back(take_frame(std::move(file), files.t, record::week_at(run.measures, files.t)));
     }
     return body;
 }
@@ -220,7 +194,7 @@ Json pack_body(const Body& body, Blobs& blobs)
     json["frames"] = Json::array();
     for (const BodyFrame& frame : body.frames)
     {
-        json["frames"].push_back(frame_json(frame, blobs));
+        json["frames"].push_back(frame_json(frame, body.step, blobs));
     }
     return json;
 }
@@ -234,6 +208,14 @@ Json pack_bodies(std::vector<Body> bodies, std::size_t most_bytes, Blobs& blobs,
         const std::size_t frames = body.frames.size();
         const std::size_t vertices = body.frames.front().points.size();
         std::size_t bytes = bytes_at_most(body) > share ? packed_bytes(body) : 0;
+        if (bytes > share)
+        {
+            body.step = coarse_step;
+            bytes = packed_bytes(body);
+            notes.push_back(fmt::format("{}: to keep the page small, values at vertices are rounded to 1/{} of their "
+                                        "range (--max-mb).",
+                                        body.name, 65536 / coarse_step));
+        }
         if (bytes > share && frames > fewest_frames)
         {
             keep_frames(body, std::max(fewest_frames, frames * share / bytes));

@@ -24,6 +24,7 @@ struct Body
     bool is_brain = false; ///< x to the right, y to the front, z up: sides get their names
     std::vector<Triangle> triangles;
     std::vector<BodyFrame> frames; ///< t ascends
+    int step = 1;                  ///< of the numbers that its scalars and its boundary are packed as
 };
 
 /// The body of a run folder at the chosen output times, from its surface files and its measures.
@@ -32,14 +33,11 @@ Body read_body(const record::RunContents& run, std::span<const std::size_t> chos
 /// All output times.
 Body read_body(const record::RunContents& run, std::string name);
 
-/// Left, right, front and up are known of bodies from files, not of spheres.
-bool is_brain(const std::filesystem::path& run_folder);
-
 /// The arrays into the blobs; what the content says of them, with the ranges of the scalars over all frames.
 Json pack_body(const Body& body, Blobs& blobs);
 
-/// The bodies packed so that the arrays take at most so many bytes, if leaving out output times (six remain), and then
-/// vertices, helps; what was left out is said in `notes`.
+/// The bodies packed so that the arrays take at most so many bytes, if coarser values, then leaving out output times
+/// (six remain), and then vertices, help; what was done is said in `notes`.
 Json pack_bodies(std::vector<Body> bodies, std::size_t most_bytes, Blobs& blobs, std::vector<std::string>& notes);
 
 } // namespace corticle::report

@@ -98,7 +98,7 @@ Body real_body(const fs::path& file, const std::string& name, double place, bool
 {
     study::RealSurfaceReading reading = study::read_real_surface(file, reading_of(comparison));
     const metrics::FoldFields folds = metrics::fold_fields(reading.surface.vertices, reading.surface.triangles);
-    Body body{name, true, reading.surface.triangles, {}};
+    Body body{name, true, reading.surface.triangles, {}, 1};
     BodyFrame& frame = body.frames.emplace_back();
     frame.t = is_week ? 0.0 : place;
     frame.week = is_week ? place : frame.week;

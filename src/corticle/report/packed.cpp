@@ -50,7 +50,7 @@ std::pair<double, double> finite_range(std::span<const double> values, std::size
 
 } // namespace
 
-Json pack_numbers(std::span<const double> values, std::size_t components, Blobs& blobs)
+Json pack_numbers(std::span<const double> values, std::size_t components, Blobs& blobs, int step)
 {
     const std::size_t count = values.size() / components;
     std::vector<std::uint16_t> numbers(values.size());
@@ -62,8 +62,9 @@ Json pack_numbers(std::span<const double> values, std::size_t components, Blobs&
         for (std::size_t i = 0; i < count; ++i)
         {
             const double value = values[components * i + c];
+            const double number = step * std::round((value - low) * per_unit / step);
             numbers[c * count + i] =
-                std::isfinite(value) ? static_cast<std::uint16_t>(std::lround((value - low) * per_unit)) : missing;
+                std::isfinite(value) ? static_cast<std::uint16_t>(std::min(number, largest)) : missing;
         }
         json["low"].push_back(low);
         json["high"].push_back(high);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "corticle/view/words.hpp"
+
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -15,10 +17,8 @@ std::string without_paths(std::string_view text);
 /// The last part of a path, whether it ends in a slash or not.
 std::string name_of(const std::filesystem::path& path);
 
-/// A key in words: "sulcal_depth_mean_mm" is "sulcal depth, mean".
-std::string label_of(std::string_view key);
-
-/// A unit as people write it: "mm2" is "mm²", "-" is nothing.
-std::string unit_text(std::string_view unit);
+// Pages and pictures use the same words.
+using view::label_of;
+using view::unit_text;
 
 } // namespace corticle::report

@@ -21,27 +21,6 @@ namespace
 
 namespace fs = std::filesystem;
 
-struct Scalar
-{
-    std::string_view key;
-    std::string_view unit;
-    std::string_view sentence;
-    std::string_view map;
-};
-
-constexpr std::array scalars{
-    Scalar{"sulcal_depth", "mm", "depth below the outer surface", "viridis, reversed"},
-    Scalar{"mean_curvature", "1/mm", "above 0 on gyri, below 0 in sulci", "blue-orange"},
-    Scalar{"thickness", "mm", "distance between the surface and the boundary to the white matter", "viridis"},
-    Scalar{"J", "", "volume over initial volume, det F", "viridis"},
-    Scalar{"growth", "", "growth in the plane of the cortex", "viridis"},
-    Scalar{"von_mises", "mu_w", "von Mises stress, over the shear modulus of the white matter", "viridis"},
-    Scalar{"local_gyrification", "", "area of the surface nearby over that of the outer surface", "viridis"},
-    Scalar{"theta", "", "1 cortex, 0 white matter", "viridis"},
-    Scalar{"region", "", "label of the region", "regions"},
-    Scalar{"distance", "mm", "from each vertex to the closest point of the other surface", "viridis"},
-};
-
 /// Keys of summary.json that say what a run took.
 constexpr std::array timings{"wall_s",    "internal_forces_s", "contact_s", "measures_s",     "output_s",
                              "steps",     "rejected_steps",    "threads",   "peak_memory_mb", "us_per_particle_step",
@@ -181,12 +160,12 @@ Json facts_json(const fs::path& folder, const Json& summary)
 Json scalars_json()
 {
     Json json = Json::object();
-    for (const Scalar& scalar : scalars)
+    for (const view::Scalar& scalar : view::known_scalars())
     {
         json[std::string(scalar.key)] = {{"label", label_of(scalar.key)},
                                          {"unit", unit_text(scalar.unit)},
                                          {"sentence", scalar.sentence},
-                                         {"map", scalar.map}};
+                                         {"map", view::name_of(scalar.map)}};
     }
     return json;
 }
@@ -195,8 +174,8 @@ Json color_maps_json()
 {
     using view::ColorMap;
     Json json = Json::object();
-    for (const auto& [name, map] : {std::pair{"viridis", ColorMap::viridis}, std::pair{"cividis", ColorMap::cividis},
-                                    std::pair{"blue-orange", ColorMap::blue_orange}, std::pair{"grey", ColorMap::grey}})
+    for (const ColorMap map :
+         {ColorMap::viridis, ColorMap::viridis_reversed, ColorMap::cividis, ColorMap::blue_orange, ColorMap::grey})
     {
         Json colors = Json::array();
         for (int k = 0; k <= 32; ++k)
@@ -205,12 +184,7 @@ Json color_maps_json()
             colors.push_back(
                 {std::lround(255.0 * color[0]), std::lround(255.0 * color[1]), std::lround(255.0 * color[2])});
         }
-        json[name] = colors;
-        if (map == ColorMap::viridis)
-        {
-            std::reverse(colors.begin(), colors.end());
-            json["viridis, reversed"] = std::move(colors);
-        }
+        json[view::name_of(map)] = std::move(colors);
     }
     return json;
 }

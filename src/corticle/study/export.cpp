@@ -2,11 +2,16 @@
 #include "corticle/study/export.hpp"
 
 #include "corticle/base/error.hpp"
+#include "corticle/base/gather.hpp"
+#include "corticle/formats/atomic_file.hpp"
 #include "corticle/formats/gifti.hpp"
 #include "corticle/formats/surfaces/freesurfer.hpp"
 #include "corticle/formats/surfaces/surface_writer.hpp"
 #include "corticle/formats/vtk_files.hpp"
+#include "corticle/formats/xml_tag.hpp"
 #include "corticle/record/result_folder.hpp"
+#include "corticle/study/hemispheres.hpp"
+#include "corticle/view/figures/anatomy.hpp"
 
 #include <fmt/format.h>
 
@@ -14,6 +19,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <numeric>
 #include <set>
 #include <system_error>
 
@@ -114,6 +120,79 @@ std::vector<std::pair<formats::Field, std::string>> scalar_fields(const formats:
 /// A file to write, and what writes it.
 using FileWriter = std::pair<std::string, std::function<void(const fs::path&)>>;
 
+using Scalars = std::vector<std::pair<formats::Field, std::string>>;
+
+/// What a run's surface is called where the user does not say.
+std::string structure_of(const ExportRequest& request)
+{
+    switch (view::body_sides(request.run).part)
+    {
+    case imaging::Hemisphere::left:
+        return "CortexLeft";
+    case imaging::Hemisphere::right:
+        return "CortexRight";
+    case imaging::Hemisphere::both:
+        break;
+    }
+    return "Cortex";
+}
+
+/// The whole surface as one part, or one part for each hemisphere.
+std::vector<SurfacePart> parts_of(const ExportRequest& request, const TriangleMesh& surface)
+{
+    const bool is_brain = view::body_sides(request.run).is_brain; // else there is no left and right
+    if (request.split || (request.structure.empty() && is_brain && has_separate_hemispheres(surface)))
+    {
+        return hemispheres(surface, request.split && !has_separate_hemispheres(surface));
+    }
+    SurfacePart whole{request.structure.empty() ? structure_of(request) : request.structure, {}, {}, surface.triangles};
+    whole.kept.resize(surface.vertices.size());
+    std::iota(whole.kept.begin(), whole.kept.end(), 0);
+    return {whole};
+}
+
+/// Surfaces, their arrays, and the specification file that opens them all in Connectome Workbench.
+void add_gifti(const ExportRequest& request, const std::string& stem, const formats::SurfaceFile& surface,
+               const Scalars& scalars, std::vector<FileWriter>& files)
+{
+    std::string entries;
+    const auto enter = [&](const SurfacePart& part, const char* type, const std::string& file)
+    {
+        entries += fmt::format("   <DataFile Structure=\"{}\" DataFileType=\"{}\" Selected=\"true\">\n      {}\n"
+                               "   </DataFile>\n",
+                               formats::escape_xml(part.structure), type, formats::escape_xml(file));
+    };
+    for (const SurfacePart& part : parts_of(request, surface.mesh))
+    {
+        const std::string name = part.letter.empty() ? stem : stem + "." + part.letter;
+        files.emplace_back(name + ".surf.gii",
+                           [&surface, part](const fs::path& file)
+                           {
+                               formats::write_surface_gifti(file, gather<Vec3>(surface.mesh.vertices, part.kept),
+                                                            part.triangles, part.structure);
+                           });
+        enter(part, "SURFACE", files.back().first);
+        for (const auto& [field, label] : scalars)
+        {
+            files.emplace_back(fmt::format("{}.{}.shape.gii", name, label),
+                               [scalar = field, part](const fs::path& file)
+                               {
+                                   const std::vector<double> values = gather<double>(scalar.values, part.kept);
+                                   const formats::Field kept{scalar.name, 1, values};
+                                   formats::write_scalars_gifti(file, {&kept, 1}, part.structure);
+                               });
+            enter(part, "METRIC", files.back().first);
+        }
+    }
+    files.emplace_back(stem + ".spec",
+                       [entries](const fs::path& file)
+                       {
+                           formats::write_text_atomically(file, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+                                                                "<CaretSpecFile Version=\"1.0\">\n   <MetaData/>\n" +
+                                                                    entries + "</CaretSpecFile>\n");
+                       });
+}
+
 /// The files of a frame. They refer to the request and the surface.
 std::vector<FileWriter> frame_writers(const ExportRequest& request, const std::string& stem,
                                       const formats::SurfaceFile& surface)
@@ -150,16 +229,7 @@ std::vector<FileWriter> frame_writers(const ExportRequest& request, const std::s
     }
     else
     {
-        const std::string& structure = request.structure;
-        files.emplace_back(stem + ".surf.gii", [&](const fs::path& file)
-                           { formats::write_surface_gifti(file, points, triangles, structure); });
-        for (const auto& [field, part] : scalars)
-        {
-            files.emplace_back(fmt::format("{}.{}.shape.gii", stem, part),
-                               [scalar = field, &structure](const fs::path& file) {
-                                   formats::write_scalars_gifti(file, {&scalar, 1}, structure);
-                               });
-        }
+        add_gifti(request, stem, surface, scalars, files);
     }
     return files;
 }

@@ -3,6 +3,7 @@
 
 #include "corticle/base/parallel.hpp"
 #include "corticle/view/pictures.hpp"
+#include "corticle/view/run_pictures.hpp"
 
 #include <algorithm>
 #include <array>
@@ -153,15 +154,27 @@ void render_body(const std::filesystem::path& folder, const model::Model& model,
     render_cut(folder / "normals.png", cut, {"x of the normal", -1.0, 1.0, ColorMap::coolwarm},
                "Normals of the surface, carried inside");
 
-    const bool by_thickness = !tissue.thickness.empty();
-    const std::vector<double> shown =
-        surface_values(model.cloud, by_thickness ? tissue.thickness : tissue.regional_rate);
-    const double high = *std::max_element(shown.begin(), shown.end());
-    const std::array picture{
-        SurfacePicture{folder / "surface.png",
-                       shown,
-                       {by_thickness ? "cortical thickness [mm]" : "regional growth", 0.0, std::max(high, 1e-3)}}};
-    render_surface(model.surface.vertices, model.surface.triangles, picture, "Body at rest");
+    struct Map
+    {
+        const char* file;
+        const char* label;
+        std::span<const double> of_points; ///< empty: the body has no such map
+    };
+    std::vector<SurfacePicture> pictures;
+    std::vector<std::vector<double>> values; // pictures refer to them
+    for (const Map& map : {Map{"surface.png", "regional growth", tissue.regional_rate},
+                           Map{"thickness.png", "cortical thickness [mm]", tissue.thickness},
+                           Map{"growth_onset.png", "onset of growth, growth time", tissue.growth_onset},
+                           Map{"growth_rate.png", "rate of growth", tissue.growth_rate}})
+    {
+        if (!map.of_points.empty())
+        {
+            values.push_back(surface_values(model.cloud, map.of_points));
+            pictures.push_back(
+                {folder / map.file, values.back(), robust_scale(map.label, values.back(), ColorMap::viridis)});
+        }
+    }
+    render_surface(model.surface.vertices, model.surface.triangles, pictures, "Body at rest");
     render_quality(folder / "quality.png", quality);
 }
 

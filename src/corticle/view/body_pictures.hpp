@@ -24,11 +24,12 @@ BodyQuality measure_body_quality(const model::Model& model);
 /// @param theta  of the particles [-]
 double cortex_share(const model::Model& model, std::span<const double> theta);
 
-/// Names of the pictures that render_body draws.
-inline constexpr std::array body_pictures{"cloud.png", "layer.png", "normals.png", "surface.png", "quality.png"};
+/// Names of the pictures that render_body draws; those of maps only where the body has them.
+inline constexpr std::array body_pictures{"cloud.png",     "layer.png",        "normals.png",     "surface.png",
+                                          "thickness.png", "growth_onset.png", "growth_rate.png", "quality.png"};
 
 /// Pictures of a prepared body: `cloud.png` (cells of the middle cut), `layer.png` (depth), `normals.png`, the surface
-/// (`surface.png`, by regional growth, or by thickness where a map gives it), and `quality.png` (histograms).
+/// by regional growth (`surface.png`) and by each other map there is, and `quality.png` (histograms).
 void render_body(const std::filesystem::path& folder, const model::Model& model, std::span<const double> theta,
                  const BodyQuality& quality);
 

@@ -36,6 +36,15 @@ constexpr std::array<Color, 5> blue_orange{
     {{20, 54, 120}, {96, 148, 204}, {236, 236, 232}, {226, 148, 72}, {128, 56, 8}}};
 constexpr std::array<Color, 2> greys{{{40, 40, 40}, {235, 235, 235}}};
 constexpr std::array<Color, 2> tissue{{{208, 218, 228}, {196, 78, 62}}};
+/// Labels of regions, for whole numbers in turn. M. Okabe and K. Ito (2008).
+constexpr std::array<Color, 8> regions{{{160, 160, 160},
+                                        {230, 159, 0},
+                                        {86, 180, 233},
+                                        {0, 158, 115},
+                                        {240, 228, 66},
+                                        {0, 114, 178},
+                                        {213, 94, 0},
+                                        {204, 121, 167}}};
 constexpr Color missing{0.5, 0.5, 0.5};
 
 std::span<const Color> samples_of(ColorMap map)
@@ -52,7 +61,10 @@ std::span<const Color> samples_of(ColorMap map)
         return greys;
     case ColorMap::tissue:
         return tissue;
+    case ColorMap::regions:
+        return regions;
     case ColorMap::viridis:
+    case ColorMap::viridis_reversed:
         break;
     }
     return viridis;
@@ -67,7 +79,9 @@ Color map_color(ColorMap map, double fraction)
         return missing;
     }
     const std::span<const Color> samples = samples_of(map);
-    const double position = std::clamp(fraction, 0.0, 1.0) * static_cast<double>(samples.size() - 1);
+    const double share = std::clamp(fraction, 0.0, 1.0);
+    const double position =
+        (map == ColorMap::viridis_reversed ? 1.0 - share : share) * static_cast<double>(samples.size() - 1);
     const std::size_t left = std::min(static_cast<std::size_t>(position), samples.size() - 2);
     const double weight = position - static_cast<double>(left);
     Color color{};
@@ -76,6 +90,18 @@ Color map_color(ColorMap map, double fraction)
         color[i] = ((1.0 - weight) * samples[left][i] + weight * samples[left + 1][i]) / 255.0;
     }
     return color;
+}
+
+const char* name_of(ColorMap map)
+{
+    return color_map_names[static_cast<std::size_t>(map)];
+}
+
+Color region_color(std::int64_t label)
+{
+    constexpr auto count = static_cast<std::int64_t>(regions.size());
+    const Color& color = regions[static_cast<std::size_t>((label % count + count) % count)];
+    return {color[0] / 255.0, color[1] / 255.0, color[2] / 255.0};
 }
 
 } // namespace corticle::view

@@ -26,7 +26,7 @@ void PictureObserver::on_end(const model::Simulation& /*simulation*/, model::Run
     {
         const Stopwatch watch(recorder_.output_seconds());
         folder_.claim(std::array{std::string(record::measures_picture)});
-        render_measures(folder_.path(), measuring_.rows());
+        render_measures(folder_.path() / record::measures_picture, number_table(measuring_.rows()));
     }
 }
 

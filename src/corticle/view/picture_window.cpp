@@ -36,6 +36,7 @@ namespace
 
 constexpr int bar_width = 28; // [px]
 constexpr int tick_count = 5;
+constexpr std::int64_t most_regions = 65535;
 
 unsigned char byte_of(double intensity)
 {
@@ -43,17 +44,20 @@ unsigned char byte_of(double intensity)
 }
 
 /// The bar as an image, framed by a dark line of one pixel.
-vtkNew<vtkImageData> bar_image(const ColorScale& scale, int height)
+vtkNew<vtkImageData> bar_image(const ColorScale& scale, int width, int height)
 {
     vtkNew<vtkImageData> image;
-    image->SetDimensions(bar_width, height, 1);
+    image->SetDimensions(width, height, 1);
     image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
     for (int y = 0; y < height; ++y)
     {
-        const Color color = map_color(scale.map, static_cast<double>(y) / (height - 1));
-        for (int x = 0; x < bar_width; ++x)
+        const double share = static_cast<double>(y) / (height - 1);
+        const Color color = scale.map == ColorMap::regions
+                                ? region_color(std::lround(scale.low + share * (scale.high - scale.low)))
+                                : map_color(scale.map, share);
+        for (int x = 0; x < width; ++x)
         {
-            const bool is_frame = x == 0 || y == 0 || x == bar_width - 1 || y == height - 1;
+            const bool is_frame = x == 0 || y == 0 || x == width - 1 || y == height - 1;
             auto* pixel = static_cast<unsigned char*>(image->GetScalarPointer(x, y, 0));
             for (std::size_t i = 0; i < 3; ++i)
             {
@@ -118,6 +122,20 @@ void add_image(vtkRenderer* renderer, vtkImageData* image, double x, double y)
 
 void fill_lookup_table(vtkLookupTable* table, const ColorScale& scale)
 {
+    table->SetNanColor(0.5, 0.5, 0.5, 1.0);
+    if (scale.map == ColorMap::regions)
+    {
+        const auto first = static_cast<std::int64_t>(std::lround(scale.low));
+        const auto last = std::min(static_cast<std::int64_t>(std::lround(scale.high)), first + most_regions);
+        table->SetNumberOfTableValues(last - first + 1);
+        table->SetRange(static_cast<double>(first) - 0.5, static_cast<double>(last) + 0.5);
+        for (std::int64_t label = first; label <= last; ++label)
+        {
+            const Color color = region_color(label);
+            table->SetTableValue(label - first, color[0], color[1], color[2]);
+        }
+        return;
+    }
     constexpr int colors = 256;
     table->SetNumberOfTableValues(colors);
     table->SetRange(scale.low, scale.high > scale.low ? scale.high : scale.low + 1.0);
@@ -126,19 +144,20 @@ void fill_lookup_table(vtkLookupTable* table, const ColorScale& scale)
         const Color color = map_color(scale.map, static_cast<double>(i) / (colors - 1));
         table->SetTableValue(i, color[0], color[1], color[2]);
     }
-    table->SetNanColor(0.5, 0.5, 0.5, 1.0);
 }
 
-void add_color_bar(vtkRenderer* renderer, const ColorScale& scale, double x, double y, double height)
+void add_color_bar(vtkRenderer* renderer, const ColorScale& scale, double x, double y, double height, double size)
 {
-    add_image(renderer, bar_image(scale, static_cast<int>(height)), x, y);
+    const int width = static_cast<int>(size * bar_width);
+    const auto text = [size](int pixels) { return static_cast<int>(std::lround(size * pixels)); };
+    add_image(renderer, bar_image(scale, width, static_cast<int>(height)), x, y);
     for (const double value : round_ticks(scale.low, scale.high, tick_count))
     {
         const double fraction = (value - scale.low) / (scale.high > scale.low ? scale.high - scale.low : 1.0);
-        add_text(renderer, tick_text(scale, value), x + bar_width + 8, y + fraction * height,
-                 {.size = 20, .align = -1});
+        add_text(renderer, tick_text(scale, value), x + width + 8 * size, y + fraction * height,
+                 {.size = text(20), .align = -1});
     }
-    add_text(renderer, scale.label, x + bar_width + 78, y + 0.5 * height, {.size = 22, .angle = 90});
+    add_text(renderer, scale.label, x + width + 78 * size, y + 0.5 * height, {.size = text(22), .angle = 90});
 }
 
 vtkSmartPointer<vtkImageData> grab_picture(vtkRenderWindow* window)
@@ -169,6 +188,33 @@ void multiply(vtkImageData* image, vtkImageData* other, double factor)
     {
         to[k] = byte_of(std::min(1.0, factor * to[k] * by[k] / (255.0 * 255.0)));
     }
+}
+
+vtkSmartPointer<vtkImageData> with_alpha(vtkImageData* on_white, vtkImageData* on_black)
+{
+    vtkNew<vtkImageData> image;
+    const int* const size = on_white->GetDimensions();
+    image->SetDimensions(size[0], size[1], 1);
+    image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+    const auto count = static_cast<std::ptrdiff_t>(size[0]) * size[1];
+    const auto* const white = static_cast<const unsigned char*>(on_white->GetScalarPointer());
+    const auto* const black = static_cast<const unsigned char*>(on_black->GetScalarPointer());
+    auto* const to = static_cast<unsigned char*>(image->GetScalarPointer());
+    for (std::ptrdiff_t k = 0; k < count; ++k)
+    {
+        int through = 255; // what of the background shows; colours are those on black over the rest
+        for (int c = 0; c < 3; ++c)
+        {
+            through = std::min(through, std::max(0, white[3 * k + c] - black[3 * k + c]));
+        }
+        const int alpha = 255 - through;
+        for (int c = 0; c < 3; ++c)
+        {
+            to[4 * k + c] = static_cast<unsigned char>(alpha == 0 ? 0 : std::min(255, 255 * black[3 * k + c] / alpha));
+        }
+        to[4 * k + 3] = static_cast<unsigned char>(alpha);
+    }
+    return image;
 }
 
 void write_pngs(std::span<const PngPicture> pictures)

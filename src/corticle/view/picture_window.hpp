@@ -37,11 +37,17 @@ void add_image(vtkRenderer* renderer, vtkImageData* image, double x, double y);
 /// 256 colours of a scale.
 void fill_lookup_table(vtkLookupTable* table, const ColorScale& scale);
 
-/// A vertical colour bar with ticks whose lower left corner is at (x, y) [px], `height` tall; its label stands above.
-void add_color_bar(vtkRenderer* renderer, const ColorScale& scale, double x, double y, double height);
+/// A vertical colour bar with ticks whose lower left corner is at (x, y) [px], `height` tall; its label stands upright
+/// on its right. `size` scales texts and the width.
+void add_color_bar(vtkRenderer* renderer, const ColorScale& scale, double x, double y, double height,
+                   double size = 1.0);
 
 /// Renders, and returns the picture.
 vtkSmartPointer<vtkImageData> grab_picture(vtkRenderWindow* window);
+
+/// From two pictures of the same, on white and on black: one with the share that is not the background as a fourth
+/// component.
+vtkSmartPointer<vtkImageData> with_alpha(vtkImageData* on_white, vtkImageData* on_black);
 
 /// Multiplies the colours, as numbers from 0 to 1, with those of an image of the same size and with a factor; what
 /// gets brighter than 1 is 1.

@@ -120,7 +120,8 @@ struct Panel
     std::vector<std::pair<double, std::string>> x_ticks{}; ///< x and what stands there; empty: numbers
 };
 
-/// Line plots, panels in a grid (three to a row).
-void render_plot(const std::filesystem::path& png, std::span<const Panel> panels, const std::string& title);
+/// Line plots, panels in a grid (three to a row). The ending of the name decides: PNG, or SVG or PDF, which
+/// are lines and letters (write_vector_plot).
+void render_plot(const std::filesystem::path& file, std::span<const Panel> panels, const std::string& title);
 
 } // namespace corticle::view

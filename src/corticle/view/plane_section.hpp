@@ -54,4 +54,7 @@ std::vector<std::uint8_t> inside_mask(std::span<const Segment> outline, const Pi
 std::vector<std::int32_t> nearest_particles(std::span<const Vec3> particles, const Plane& plane, const PixelGrid& grid,
                                             std::span<const std::uint8_t> mask);
 
+/// How much of each pixel the outline covers, drawn as a soft line: 0 to 1.
+std::vector<double> outline_cover(std::span<const Segment> outline, const PixelGrid& grid);
+
 } // namespace corticle::view

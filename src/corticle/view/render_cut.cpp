@@ -77,36 +77,8 @@ vtkNew<vtkImageData> colored_image(const PixelGrid& grid, std::span<const std::i
 /// Draws the outline in black, with soft edges, into an image.
 void draw_outline(vtkImageData* image, std::span<const Segment> outline, const PixelGrid& grid)
 {
-    constexpr double half_line = 0.8; // [px]
     auto* pixels = static_cast<unsigned char*>(image->GetScalarPointer());
-    // How much of each pixel the line covers: the most that any of its pieces covers, lest joints come out darker.
-    std::vector<double> cover(static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height), 0.0);
-    for (const Segment& segment : outline)
-    {
-        const Vec3 from{(segment.from[0] - grid.left) / grid.pixel - 0.5,
-                        (segment.from[1] - grid.bottom) / grid.pixel - 0.5, 0.0};
-        const Vec3 to{(segment.to[0] - grid.left) / grid.pixel - 0.5, (segment.to[1] - grid.bottom) / grid.pixel - 0.5,
-                      0.0};
-        const auto bound = [](double place, int count)
-        { return static_cast<int>(std::clamp(place, -1.0, 1.0 * count)); };
-        const int first_x = std::max(bound(std::min(from.x, to.x) - 2.0, grid.width), 0);
-        const int last_x = std::min(bound(std::max(from.x, to.x) + 2.0, grid.width), grid.width - 1);
-        const int first_y = std::max(bound(std::min(from.y, to.y) - 2.0, grid.height), 0);
-        const int last_y = std::min(bound(std::max(from.y, to.y) + 2.0, grid.height), grid.height - 1);
-        const double squared_length = std::max(squared_norm(to - from), std::numeric_limits<double>::min());
-        for (int y = first_y; y <= last_y; ++y)
-        {
-            for (int x = first_x; x <= last_x; ++x)
-            {
-                const Vec3 place{1.0 * x, 1.0 * y, 0.0};
-                const double along = std::clamp(dot(place - from, to - from) / squared_length, 0.0, 1.0);
-                const double distance = norm(place - from - along * (to - from));
-                double& covered = cover[static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.width) +
-                                        static_cast<std::size_t>(x)];
-                covered = std::max(covered, std::clamp(half_line + 0.5 - distance, 0.0, 1.0));
-            }
-        }
-    }
+    const std::vector<double> cover = outline_cover(outline, grid);
     for (std::size_t i = 0; i < 3 * cover.size(); ++i)
     {
         pixels[i] = static_cast<unsigned char>(std::lround((1.0 - cover[i / 3]) * pixels[i]));

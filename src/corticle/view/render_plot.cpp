@@ -2,6 +2,7 @@
 #include "corticle/view/display.hpp"
 #include "corticle/view/picture_window.hpp"
 #include "corticle/view/pictures.hpp"
+#include "corticle/view/vector_plot.hpp"
 
 #include <vtkAxis.h>
 #include <vtkChartLegend.h>
@@ -34,10 +35,6 @@ constexpr int columns = 3;
 constexpr int panel_width = 600;  // [px]
 constexpr int panel_height = 420; // [px]
 constexpr int title_height = 60;  // [px]
-
-// Distinguishable for those who see red and green alike: M. Okabe and K. Ito (2008).
-constexpr std::array<std::array<unsigned char, 3>, 7> line_colors{
-    {{0, 114, 178}, {213, 94, 0}, {0, 158, 115}, {204, 121, 167}, {86, 180, 233}, {230, 159, 0}, {60, 60, 60}}};
 
 struct Range
 {
@@ -161,7 +158,7 @@ void fill_chart(vtkChartXY* chart, const Panel& panel)
         }
         vtkPlot* line = chart->AddPlot(is_points ? vtkChart::POINTS : vtkChart::LINE);
         line->SetInputData(table, 0, 1);
-        const auto& color = line_colors[c % line_colors.size()];
+        const auto& color = curve_colors[c % curve_colors.size()];
         line->SetColor(color[0], color[1], color[2], 255);
         line->SetWidth(is_points ? 6.0f : 2.5f);
         if (auto* marked = vtkPlotPoints::SafeDownCast(line); panel.curves[c].is_marked && marked != nullptr)
@@ -195,9 +192,14 @@ void fill_chart(vtkChartXY* chart, const Panel& panel)
 
 } // namespace
 
-void render_plot(const std::filesystem::path& png, std::span<const Panel> panels, const std::string& title)
+void render_plot(const std::filesystem::path& file, std::span<const Panel> panels, const std::string& title)
 {
-    require_display(png);
+    if (file.extension() != ".png")
+    {
+        write_vector_plot(file, panels, title);
+        return;
+    }
+    require_display(file);
     const int count = std::max(1, static_cast<int>(panels.size()));
     const int across = std::min(count, columns);
     const int rows = (count + columns - 1) / columns;
@@ -228,7 +230,7 @@ void render_plot(const std::filesystem::path& png, std::span<const Panel> panels
     scene->SetDirty(true);
     const vtkSmartPointer<vtkImageData> drawn = grab_picture(window);
     window->RemoveRenderer(renderer);
-    write_pngs(std::array{PngPicture{png, drawn}});
+    write_pngs(std::array{PngPicture{file, drawn}});
 }
 
 } // namespace corticle::view

@@ -3,26 +3,12 @@
 #include "corticle/view/display.hpp"
 #include "corticle/view/picture_window.hpp"
 #include "corticle/view/pictures.hpp"
+#include "corticle/view/shaded_views.hpp"
 
-#include <vtkActor.h>
-#include <vtkCamera.h>
-#include <vtkCellArray.h>
-#include <vtkDoubleArray.h>
-#include <vtkFloatArray.h>
 #include <vtkImageData.h>
-#include <vtkLight.h>
-#include <vtkLookupTable.h>
 #include <vtkNew.h>
-#include <vtkOpenGLFXAAPass.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
-#include <vtkRenderStepsPass.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkSSAOPass.h>
 #include <vtkSmartPointer.h>
 
 #include <algorithm>
@@ -42,7 +28,6 @@ constexpr int panel_size = 700;
 constexpr int panel_bottom = 40;
 constexpr int title_height = 50;
 constexpr int bar_left = 1450;
-constexpr double grey = 0.5; // what is lit, so that light can make colours brighter than they are
 
 constexpr int tile_picture = 380; // of a grid
 constexpr int tile_caption = 48;
@@ -52,173 +37,29 @@ constexpr int bar_room = 150;
 
 constexpr std::array<int, 2> panel_left{10, 730};
 
-/// From where a panel looks. Frame: x right, y anterior, z superior.
-struct View
+/// A view and what stands below it.
+struct Side
 {
-    Vec3 from;
-    Vec3 up;
+    View view;
     const char* caption;
 };
 
-constexpr std::array<View, 2> views{
-    {{{0, 0, 1}, {0, 1, 0}, "from above (+z)"}, {{1, 0, 0}, {0, 0, 1}, "from the right (+x)"}}};
+constexpr std::array<Side, 2> sides{
+    {{{{0, 0, 1}, {0, 1, 0}}, "from above (+z)"}, {{{1, 0, 0}, {0, 0, 1}}, "from the right (+x)"}}};
 
-vtkNew<vtkPolyData> polydata_of(std::span<const Vec3> points, std::span<const Triangle> triangles)
+/// The first `count` sides of a body in squares of `size` pixels.
+Pictures draw_sides(const Body& body, std::span<const Coloring> colorings, const Vec3& center, double half_width,
+                    std::size_t count, int size)
 {
-    const std::vector<Vec3> normals = vertex_normals(points, triangles);
-    vtkNew<vtkPoints> positions;
-    vtkNew<vtkFloatArray> directions;
-    directions->SetNumberOfComponents(3);
-    for (std::size_t i = 0; i < points.size(); ++i)
-    {
-        positions->InsertNextPoint(points[i].x, points[i].y, points[i].z);
-        directions->InsertNextTuple3(normals[i].x, normals[i].y, normals[i].z);
-    }
-    vtkNew<vtkCellArray> cells;
-    for (const Triangle& triangle : triangles)
-    {
-        const std::array<vtkIdType, 3> corners{triangle[0], triangle[1], triangle[2]};
-        cells->InsertNextCell(3, corners.data());
-    }
-    vtkNew<vtkPolyData> surface;
-    surface->SetPoints(positions);
-    surface->SetPolys(cells);
-    surface->GetPointData()->SetNormals(directions);
-    return surface;
-}
-
-/// A key light from the upper left and a weaker one beside the camera: sulci stay readable, gyri get a bright and a
-/// dark flank.
-void add_lights(vtkRenderer* renderer)
-{
-    const auto add = [&](const Vec3& from, double intensity)
-    {
-        vtkNew<vtkLight> light;
-        light->SetLightTypeToCameraLight();
-        light->SetPosition(from.x, from.y, from.z);
-        light->SetFocalPoint(0, 0, 0);
-        light->SetIntensity(intensity);
-        renderer->AddLight(light);
-    };
-    renderer->SetAutomaticLightCreation(false);
-    add({-1.0, 1.1, 1.4}, 0.72);
-    add({0.7, -0.4, 1.0}, 0.45);
-}
-
-/// Darkens what lies in sulci (ambient occlusion in screen space) and softens edges; `radius` [mm] is how far away a
-/// wall still shades.
-void add_occlusion(vtkRenderer* renderer, double radius)
-{
-    vtkNew<vtkRenderStepsPass> steps;
-    vtkNew<vtkSSAOPass> occlusion;
-    occlusion->SetRadius(radius);
-    occlusion->SetBias(0.05 * radius);
-    occlusion->SetKernelSize(16);
-    occlusion->BlurOn();
-    occlusion->SetDelegatePass(steps);
-    vtkNew<vtkOpenGLFXAAPass> smooth;
-    smooth->SetDelegatePass(occlusion);
-    renderer->SetPass(smooth);
-}
-
-void look(vtkRenderer* renderer, const View& view, const Vec3& center, double half_width)
-{
-    const Vec3 position = center + 10.0 * half_width * view.from;
-    vtkCamera* camera = renderer->GetActiveCamera();
-    camera->ParallelProjectionOn();
-    camera->SetFocalPoint(center.x, center.y, center.z);
-    camera->SetPosition(position.x, position.y, position.z);
-    camera->SetViewUp(view.up.x, view.up.y, view.up.z);
-    camera->SetParallelScale(half_width);
-    camera->SetClippingRange(7.0 * half_width, 13.0 * half_width);
-}
-
-/// The body in grey.
-vtkNew<vtkActor> body_of(vtkPolyData* surface)
-{
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(surface);
-    mapper->UseLookupTableScalarRangeOn();
-    mapper->InterpolateScalarsBeforeMappingOn();
-    vtkNew<vtkActor> body;
-    body->SetMapper(mapper);
-    body->GetProperty()->SetInterpolationToPhong();
-    body->GetProperty()->SetColor(grey, grey, grey);
-    body->GetProperty()->SetDiffuse(0.9);
-    body->GetProperty()->SetSpecularPower(25);
-    return body;
-}
-
-/// One colouring of a body.
-struct Coloring
-{
-    std::span<const double> scalar; ///< of each vertex; empty: 0 everywhere
-    const ColorScale* scale;
-};
-
-vtkNew<vtkDoubleArray> array_of(std::span<const double> scalar, std::size_t count)
-{
-    vtkNew<vtkDoubleArray> values;
+    std::vector<View> views;
     for (std::size_t i = 0; i < count; ++i)
     {
-        values->InsertNextValue(scalar.empty() ? 0.0 : scalar[i]);
+        views.push_back(sides[i].view);
+        views.back().center = center;
     }
-    return values;
-}
-
-using Pictures = std::vector<vtkSmartPointer<vtkImageData>>;
-
-/// What each view shows of each colouring, `size` pixels square: of the first colouring all views, then of the next.
-/// Light and shade are drawn once for each view and laid over its colours. One view after the other: the shading of
-/// sulci fills a window, not a part of one.
-Pictures draw_views(std::span<const Vec3> points, std::span<const Triangle> triangles,
-                    std::span<const Coloring> colorings, const Vec3& center, double half_width,
-                    std::span<const View> shown, int size)
-{
-    vtkRenderWindow* const window = picture_window(size, size);
-    vtkNew<vtkRenderer> renderer;
-    const vtkNew<vtkPolyData> surface = polydata_of(points, triangles);
-    const vtkNew<vtkActor> body = body_of(surface);
-    renderer->AddActor(body);
-    add_lights(renderer);
-    window->AddRenderer(renderer);
-
-    body->GetProperty()->SetAmbient(0.16);
-    body->GetProperty()->SetSpecular(0.1);
-    body->GetMapper()->ScalarVisibilityOff();
-    renderer->SetBackground(grey, grey, grey);
-    add_occlusion(renderer, 0.12 * half_width);
-    Pictures shades;
-    for (const View& view : shown)
-    {
-        look(renderer, view, center, half_width);
-        shades.push_back(grab_picture(window));
-    }
-
-    body->GetProperty()->LightingOff();
-    body->GetProperty()->SetAmbient(1.0);
-    body->GetProperty()->SetDiffuse(0.0);
-    body->GetMapper()->ScalarVisibilityOn();
-    renderer->SetBackground(1, 1, 1);
-    renderer->GetPass()->ReleaseGraphicsResources(window);
-    renderer->SetPass(nullptr);
-    renderer->UseFXAAOn();
-    Pictures pictures;
-    for (const Coloring& coloring : colorings)
-    {
-        vtkNew<vtkLookupTable> colors;
-        fill_lookup_table(colors, *coloring.scale);
-        body->GetMapper()->SetLookupTable(colors);
-        surface->GetPointData()->SetScalars(array_of(coloring.scalar, points.size()));
-        for (std::size_t i = 0; i < shown.size(); ++i)
-        {
-            look(renderer, shown[i], center, half_width);
-            pictures.push_back(grab_picture(window));
-            multiply(pictures.back(), shades[i], 1.0 / grey);
-        }
-    }
-    window->RemoveRenderer(renderer);
-    return pictures;
+    return draw_views(
+        body, colorings, views,
+        {.width = size, .height = size, .mm_per_pixel = 2.0 * half_width / size, .half_size = half_width});
 }
 
 /// Half of the width of a panel that the surface fits [mm].
@@ -288,17 +129,18 @@ vtkSmartPointer<vtkImageData> draw_page(std::span<const PagePanel> panels, std::
 
 std::future<void> start_renderer()
 {
-    return std::async(std::launch::async,
-                      []
-                      {
-                          const std::array<Vec3, 3> corners{{{0, 0, 0}, {1, 0, 0}, {0, 1, 1}}};
-                          const std::array<Triangle, 1> triangle{{{0, 1, 2}}};
-                          const ColorScale scale{"one", 0.0, 1.0};
-                          const std::array coloring{Coloring{{}, &scale}};
-                          const Pictures drawn = draw_views(corners, triangle, coloring, corners[0], 1.0, views, 8);
-                          draw_page(std::array{PagePanel{drawn[0], 0, 0, "one"}}, 1, scale, "one");
-                          picture_window(8, 8)->ReleaseCurrent(); // another thread draws from now on
-                      });
+    return std::async(
+        std::launch::async,
+        []
+        {
+            const std::array<Vec3, 3> corners{{{0, 0, 0}, {1, 0, 0}, {0, 1, 1}}};
+            const std::array<Triangle, 1> triangle{{{0, 1, 2}}};
+            const ColorScale scale{"one", 0.0, 1.0};
+            const std::array coloring{Coloring{{}, &scale}};
+            const Pictures drawn = draw_sides({corners, triangle}, coloring, corners[0], 1.0, sides.size(), 8);
+            draw_page(std::array{PagePanel{drawn[0], 0, 0, "one"}}, 1, scale, "one");
+            picture_window(8, 8)->ReleaseCurrent(); // another thread draws from now on
+        });
 }
 
 void render_surface(std::span<const Vec3> points, std::span<const Triangle> triangles,
@@ -312,15 +154,16 @@ void render_surface(std::span<const Vec3> points, std::span<const Triangle> tria
         assert(one.scalar.empty() || one.scalar.size() == points.size());
         colorings.push_back({one.scalar, &one.scale});
     }
-    const Pictures pictures = draw_views(points, triangles, colorings, bounding_box(points).center(),
-                                         half_width > 0.0 ? half_width : fitting_half_width(points), views, panel_size);
+    const Pictures pictures =
+        draw_sides({points, triangles}, colorings, bounding_box(points).center(),
+                   half_width > 0.0 ? half_width : fitting_half_width(points), sides.size(), panel_size);
     std::vector<PngPicture> pages;
     for (std::size_t k = 0; k < colored.size(); ++k)
     {
         std::vector<PagePanel> panels;
-        for (std::size_t i = 0; i < views.size(); ++i)
+        for (std::size_t i = 0; i < sides.size(); ++i)
         {
-            panels.push_back({pictures[k * views.size() + i], 0, i, views[i].caption});
+            panels.push_back({pictures[k * sides.size() + i], 0, i, sides[i].caption});
         }
         pages.push_back({colored[k].png, draw_page(panels, 1, colored[k].scale, title)});
     }
@@ -337,14 +180,15 @@ void render_surface_pair(const std::filesystem::path& png, const std::array<Surf
     {
         const SurfaceInput& surface = surfaces[column];
         const std::array coloring{Coloring{surface.scalar, &scale}};
-        const Pictures pictures = draw_views(surface.points, surface.triangles, coloring,
-                                             bounding_box(surface.points).center(), half_width, views, panel_size);
-        for (std::size_t i = 0; i < views.size(); ++i)
+        const Pictures pictures =
+            draw_sides({surface.points, surface.triangles}, coloring, bounding_box(surface.points).center(), half_width,
+                       sides.size(), panel_size);
+        for (std::size_t i = 0; i < sides.size(); ++i)
         {
-            panels.push_back({pictures[i], views.size() - 1 - i, column, surface.caption + ", " + views[i].caption});
+            panels.push_back({pictures[i], sides.size() - 1 - i, column, surface.caption + ", " + sides[i].caption});
         }
     }
-    write_pngs(std::array{PngPicture{png, draw_page(panels, views.size(), scale, title)}});
+    write_pngs(std::array{PngPicture{png, draw_page(panels, sides.size(), scale, title)}});
 }
 
 void render_surface_grid(const std::filesystem::path& png, std::size_t count, std::size_t columns,
@@ -367,7 +211,7 @@ void render_surface_grid(const std::filesystem::path& png, std::size_t count, st
             const auto [center, half_width] = extent_of(one.points);
             const std::array coloring{Coloring{one.scalar, &scale}};
             const Pictures pictures =
-                draw_views(one.points, one.triangles, coloring, center, half_width, {views.data(), 1}, tile_picture);
+                draw_sides({one.points, one.triangles}, coloring, center, half_width, 1, tile_picture);
             constexpr int margin = (tile_width - tile_picture) / 2;
             add_image(page, pictures.front(), left + margin, bottom + tile_caption);
         }

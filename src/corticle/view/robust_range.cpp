@@ -11,6 +11,8 @@ namespace
 {
 
 constexpr double tail = 0.02;
+constexpr double fence = 1.5;   // interquartile ranges beyond the quartiles (J. W. Tukey, 1977)
+constexpr double narrow = 0.05; // an interquartile range below this share of the rest says nothing of the tails
 constexpr double hardly = 1e-3; ///< of the size of the values
 constexpr int steps = 10;
 
@@ -51,8 +53,15 @@ Range robust_range(std::span<const double> values)
     {
         return {};
     }
-    const double low = quantile(finite, tail);
-    const double high = quantile(finite, 1.0 - tail);
+    double low = quantile(finite, tail);
+    double high = quantile(finite, 1.0 - tail);
+    const double quarter = quantile(finite, 0.25);
+    const double three_quarters = quantile(finite, 0.75);
+    if (const double middle_half = three_quarters - quarter; middle_half > narrow * (high - low))
+    {
+        low = std::max(low, quarter - fence * middle_half);
+        high = std::min(high, three_quarters + fence * middle_half);
+    }
     const double size = std::max(std::abs(low), std::abs(high));
     if (high - low <= hardly * size)
     {

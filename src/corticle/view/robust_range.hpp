@@ -17,9 +17,10 @@ struct Range
 /// Least and largest of the finite values; 0 to 1 without any.
 Range full_range(std::span<const double> values);
 
-/// Where 2 % of the finite values lie below and 2 % above, widened to round numbers: one deep cleft does not decide for
-/// the rest. Values that hardly differ are given a range in whose middle they lie, so that they get one colour and not
-/// the colours of round-off.
+/// Where 2 % of the finite values lie below and 2 % above, but not farther from the quartiles than 1.5 times their
+/// distance, widened to round numbers: neither one deep cleft nor the walls of the fissure between the hemispheres
+/// decide for the rest. Values that hardly differ are given a range in whose middle they lie, so that they get one
+/// colour and not the colours of round-off.
 Range robust_range(std::span<const double> values);
 
 /// Round numbers from low to high, about `count` of them.

@@ -2,26 +2,24 @@
 #include "corticle/view/run_pictures.hpp"
 
 #include "corticle/base/error.hpp"
-#include "corticle/formats/format_error.hpp"
+#include "corticle/metrics/measure_table.hpp"
 #include "corticle/record/result_folder.hpp"
 #include "corticle/record/run_files.hpp"
 #include "corticle/record/run_reader.hpp"
 #include "corticle/view/robust_range.hpp"
+#include "corticle/view/words.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 namespace corticle::view
 {
 
 namespace
 {
-
-constexpr double same_time = 1e-9;
 
 /// A run folder whose pictures may be drawn anew.
 record::ResultFolder claim_pictures(const std::filesystem::path& run, std::span<const record::FrameFiles> frames)
@@ -45,6 +43,28 @@ ColorScale robust_scale(std::string label, std::span<const double> values, Color
     return {std::move(label), range.low, range.high, map};
 }
 
+ColorScale scalar_scale(std::string_view key, std::span<const double> values)
+{
+    const Scalar scalar = scalar_of(key);
+    ColorScale scale = robust_scale(titled(key, scalar.unit), values, scalar.map);
+    if (scale.map == ColorMap::regions)
+    {
+        const Range range = full_range(values);
+        return {scale.label, range.low, range.high, scale.map};
+    }
+    if (scale.map == ColorMap::blue_orange)
+    {
+        scale.high = std::max(std::abs(scale.high), std::abs(scale.low)); // 0 in the middle
+        scale.low = -scale.high;
+    }
+    return scale;
+}
+
+std::string time_text(double t, double week)
+{
+    return std::isnan(week) ? fmt::format("t = {:.3g}", t) : fmt::format("week {:.4g}", week);
+}
+
 CutInput middle_cut(const record::Frame& frame, std::span<const double> scalar)
 {
     const auto [back, front] = std::minmax_element(frame.surface.begin(), frame.surface.end(),
@@ -63,81 +83,79 @@ CutInput middle_cut(const record::Frame& frame, std::span<const double> scalar)
 
 void render_frame(const std::filesystem::path& folder, const record::Frame& frame)
 {
-    const std::string title =
-        (std::isnan(frame.week) ? "" : fmt::format("week {:.3g}, ", frame.week)) + fmt::format("t = {:.3g}", frame.t);
-    const auto picture = [&](const std::string& kind, std::span<const double> values, const ColorScale& scale) {
-        return SurfacePicture{folder / record::surface_picture(kind, frame.name), values, scale};
+    const std::string title = time_text(frame.t, frame.week);
+    const auto picture = [&](const std::string& kind, std::span<const double> values) {
+        return SurfacePicture{folder / record::surface_picture(kind, frame.name), values, scalar_scale(kind, values)};
     };
-    ColorScale curvature = robust_scale("mean curvature [1/mm]", frame.mean_curvature, ColorMap::coolwarm);
-    curvature.high = std::max(curvature.high, -curvature.low); // 0 in the middle
-    curvature.low = -curvature.high;
-    const std::array surfaces{
-        picture("J", frame.surface_J, robust_scale("volume ratio J", frame.surface_J, ColorMap::viridis)),
-        picture("growth", frame.surface_growth, robust_scale("growth g", frame.surface_growth, ColorMap::viridis)),
-        picture("sulcal_depth", frame.sulcal_depth,
-                robust_scale("sulcal depth [mm]", frame.sulcal_depth, ColorMap::viridis)),
-        picture("mean_curvature", frame.mean_curvature, curvature)};
+    const std::array surfaces{picture("J", frame.surface_J), picture("growth", frame.surface_growth),
+                              picture("sulcal_depth", frame.sulcal_depth),
+                              picture("mean_curvature", frame.mean_curvature)};
     render_surface(frame.surface, frame.triangles, surfaces, title);
     render_cut(folder / record::cut_picture(frame.name), middle_cut(frame, frame.particle_growth),
-               robust_scale("growth g", frame.particle_growth, ColorMap::viridis), title);
+               scalar_scale("growth", frame.particle_growth), title);
 }
 
-void render_measures(const std::filesystem::path& folder, std::span<const metrics::Measures> rows)
+formats::NumberTable number_table(std::span<const metrics::Measures> rows)
 {
-    using metrics::Measures;
-    const bool has_weeks = std::ranges::none_of(rows, [](const Measures& row) { return std::isnan(row.week); });
-    const std::string axis = has_weeks ? "gestational week" : "growth time t";
-    const auto curve = [&](std::string label, double Measures::*value)
+    formats::NumberTable table;
+    for (const metrics::MeasureColumn& column : metrics::measure_columns())
     {
-        Curve c{std::move(label), {}, {}};
-        for (const Measures& row : rows)
+        table.columns.push_back({std::string(column.key), std::string(column.unit), {}});
+        for (const metrics::Measures& row : rows)
         {
-            c.x.push_back(has_weeks ? row.week : row.t);
-            c.y.push_back(row.*value);
+            table.columns.back().values.push_back(column.of(row));
         }
-        return c;
+    }
+    return table;
+}
+
+void render_measures(const std::filesystem::path& file, const formats::NumberTable& measures)
+{
+    const formats::NumberColumn* const weeks = measures.find("week");
+    const bool has_weeks =
+        weeks != nullptr && std::ranges::none_of(weeks->values, [](double week) { return std::isnan(week); });
+    const std::string axis = has_weeks ? "gestational week" : "growth time t";
+    const std::vector<double>& x = has_weeks ? weeks->values : measures.find("t")->values;
+    const auto panel = [&](std::string label, std::initializer_list<std::pair<const char*, const char*>> columns)
+    {
+        Panel made{axis, std::move(label), {}};
+        for (const auto& [name, key] : columns)
+        {
+            if (const formats::NumberColumn* const column = measures.find(key); column != nullptr)
+            {
+                made.curves.push_back({name, x, column->values});
+            }
+        }
+        return made;
     };
+    const std::string energy = "energy [" + unit_text("mu_w mm3") + "]";
     const std::array panels{
-        Panel{axis,
-              "over initial value",
-              {curve("area", &Measures::area_ratio), curve("volume", &Measures::volume_ratio)}},
-        Panel{axis,
-              "gyrification index",
-              {curve("over hull", &Measures::gi_hull), curve("over sphere", &Measures::gi_sphere)}},
-        Panel{axis,
-              "volume ratio J",
-              {curve("least", &Measures::J_min), curve("mean", &Measures::J_mean), curve("largest", &Measures::J_max)}},
-        Panel{axis,
-              "energy [mu_w mm³]",
-              {curve("elastic", &Measures::energy_elastic), curve("zero-energy control", &Measures::energy_zero_mode)}},
-        Panel{axis,
-              "energy [mu_w mm³]",
-              {curve("kinetic", &Measures::energy_kinetic), curve("contact", &Measures::energy_contact)}},
-        Panel{axis, "share of area that overlaps", {curve("overlap", &Measures::overlap_area_share)}},
+        panel("over initial value", {{"area", "area_ratio"}, {"volume", "volume_ratio"}}),
+        panel("gyrification index", {{"over hull", "gi_hull"}, {"over sphere", "gi_sphere"}}),
+        panel("volume ratio J", {{"least", "J_min"}, {"mean", "J_mean"}, {"largest", "J_max"}}),
+        panel(energy, {{"elastic", "energy_elastic"}, {"zero-energy control", "energy_zero_mode"}}),
+        panel(energy, {{"kinetic", "energy_kinetic"}, {"contact", "energy_contact"}}),
+        panel("share of area that overlaps", {{"overlap", "overlap_area_share"}}),
     };
-    render_plot(folder / record::measures_picture, panels, "Measures against " + axis);
+    render_plot(file, panels, "Measures against " + axis);
 }
 
 void render_run(const std::filesystem::path& folder)
 {
-    const std::vector<record::FrameFiles> frames = record::list_frames(folder);
-    const std::vector<metrics::Measures> rows = metrics::parse_measures_csv(
-        formats::read_whole_file(folder / "measures.csv"), (folder / "measures.csv").string());
+    const record::RunContents run = record::read_run(folder);
     std::string reason;
     if (!can_render(reason))
     {
         throw RunError("pictures cannot be made: " + reason);
     }
-    const record::ResultFolder claimed = claim_pictures(folder, frames);
-    for (const record::FrameFiles& files : frames)
+    const record::ResultFolder claimed = claim_pictures(folder, run.frames);
+    for (const record::FrameFiles& files : run.frames)
     {
         record::Frame frame = record::read_frame(files);
-        const auto row = std::ranges::find_if(rows, [&](const metrics::Measures& known)
-                                              { return std::abs(known.t - files.t) < same_time; });
-        frame.week = row == rows.end() ? frame.week : row->week;
+        frame.week = record::week_at(run.measures, files.t);
         render_frame(folder, frame);
     }
-    render_measures(folder, rows);
+    render_measures(folder / record::measures_picture, run.measures);
 }
 
 } // namespace corticle::view

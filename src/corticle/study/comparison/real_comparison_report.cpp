@@ -6,6 +6,7 @@
 #include "corticle/config/parameters/choices.hpp"
 #include "corticle/metrics/comparison.hpp"
 #include "corticle/study/markdown.hpp"
+#include "corticle/view/words.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -115,8 +116,9 @@ std::vector<view::Panel> panels_of(const RealComparison& comparison)
             reals.x.push_back(real.place);
             reals.y.push_back(real.rows[k].value);
         }
-        panels.push_back(
-            {comparison.axis, fmt::format("{} [{}]", row.key, row.unit), {std::move(run), std::move(reals)}});
+        panels.push_back({comparison.axis == "week" ? "gestational week" : "growth time t",
+                          view::titled(row.key, row.unit),
+                          {std::move(run), std::move(reals)}});
     }
     return panels;
 }

@@ -2,6 +2,7 @@
 #include "corticle/study/comparison/run_comparison.hpp"
 
 #include "corticle/view/run_pictures.hpp"
+#include "corticle/view/words.hpp"
 
 #include <fmt/format.h>
 
@@ -18,7 +19,7 @@ constexpr const char* measures_plot = "measures.png";
 /// A panel of a measure against t, each run at its own output times; no curves where neither has it.
 view::Panel measure_panel(const RunComparison& comparison, std::string_view key)
 {
-    view::Panel panel{"t", std::string(key), {}};
+    view::Panel panel{"growth time t", {}, {}};
     for (std::size_t run = 0; run < 2; ++run)
     {
         const formats::NumberTable& table = comparison.runs[run].measures;
@@ -26,6 +27,7 @@ view::Panel measure_panel(const RunComparison& comparison, std::string_view key)
                                          [&](const formats::NumberColumn& c) { return measure_key(c) == key; });
         if (column != table.columns.end())
         {
+            panel.y_label = view::titled(key, column->unit);
             panel.curves.push_back({comparison.names[run], table.find("t")->values, column->values});
         }
     }
@@ -56,14 +58,14 @@ std::vector<view::Panel> panels_of(const RunComparison& comparison)
     { return curve(std::move(label), [value](const FramePair& pair) { return pair.J.*value; }); };
     const auto of_surface = [&](std::string label, double metrics::SurfaceDistance::*value)
     { return curve(std::move(label), [value](const FramePair& pair) { return pair.surface.*value; }); };
-    view::Panel J{"t", "difference of J", {of_J("mean (eq. 27)", &metrics::FieldDifference::mean)}};
+    view::Panel J{"growth time t", "difference of J", {of_J("mean (eq. 27)", &metrics::FieldDifference::mean)}};
     if (std::any_of(comparison.frames.begin(), comparison.frames.end(),
                     [](const FramePair& pair) { return pair.J.is_interpolated; }))
     {
         J.curves.push_back(of_J("error of interpolation", &metrics::FieldDifference::interpolation_error));
     }
     panels.push_back(std::move(J));
-    panels.push_back({"t",
+    panels.push_back({"growth time t",
                       "distance of the surfaces [mm]",
                       {of_surface("mean", &metrics::SurfaceDistance::mean),
                        of_surface("95 %", &metrics::SurfaceDistance::percentile_95),
@@ -97,19 +99,17 @@ void draw_frame(const std::filesystem::path& folder, const RunComparison& compar
     std::array<view::SurfaceInput, 2> surfaces;
     for (std::size_t run = 0; run < 2; ++run)
     {
-        captions[run] = fmt::format("{}, t = {:.3f}", comparison.names[run], frames[run].t);
+        captions[run] = fmt::format("{}, t = {:.3g}", comparison.names[run], frames[run].t);
         surfaces[run] = {captions[run], frames[run].surface, frames[run].triangles, frames[run].surface_J};
     }
-    view::render_surface_pair(
-        folder / files[0], surfaces,
-        view::robust_scale("J = det F", together(frames[0].surface_J, frames[1].surface_J), view::ColorMap::viridis),
-        "Surfaces by volume ratio J");
+    view::render_surface_pair(folder / files[0], surfaces,
+                              view::scalar_scale("J", together(frames[0].surface_J, frames[1].surface_J)),
+                              "Surfaces by volume ratio J");
     std::array cuts{view::middle_cut(frames[0], J[0]), view::middle_cut(frames[1], J[1])};
     const double middle = 0.5 * (cuts[0].coordinate + cuts[1].coordinate);
     cuts[0].coordinate = middle; // the same plane through both
     cuts[1].coordinate = middle;
-    view::render_cut_pair(folder / files[1], cuts, captions,
-                          view::robust_scale("J = det F", together(J[0], J[1]), view::ColorMap::viridis),
+    view::render_cut_pair(folder / files[1], cuts, captions, view::scalar_scale("J", together(J[0], J[1])),
                           "Cuts by volume ratio J");
 }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/base/error.hpp"
 #include "corticle/config/parameters/parameters.hpp"
+#include "corticle/metrics/measure_table.hpp"
 #include "corticle/record/run_reader.hpp"
 #include "corticle/study/sweep/sweep_table.hpp"
 #include "corticle/view/pictures.hpp"
 #include "corticle/view/run_pictures.hpp"
+#include "corticle/view/words.hpp"
 
 #include <fmt/format.h>
 
@@ -64,6 +66,22 @@ std::optional<std::vector<double>> numbers_of(const SweepAxis& axis, std::size_t
     return differ ? std::optional(numbers) : std::nullopt;
 }
 
+/// A key of a case in words, with its unit.
+std::string axis_label(const std::string& key)
+{
+    const config::Parameter* const parameter = config::find_parameter(key);
+    return parameter == nullptr ? view::label_of(key) : view::titled(parameter->name(), parameter->unit);
+}
+
+/// A measure in words, with its unit and the time it is taken at.
+std::string measure_label(const SweepMeasure& measure)
+{
+    const auto columns = metrics::measure_columns();
+    const auto column = std::ranges::find(columns, measure.key, &metrics::MeasureColumn::key);
+    const std::string label = view::titled(measure.key, column == columns.end() ? "" : column->unit);
+    return measure.t ? fmt::format("{} at t = {:.4g}", label, *measure.t) : label;
+}
+
 /// The first key whose values are numbers that differ decides; where there is none, or names are given, the names.
 Scale scale_of(const SweepAxis& axis)
 {
@@ -71,8 +89,7 @@ Scale scale_of(const SweepAxis& axis)
     {
         if (const auto numbers = numbers_of(axis, k))
         {
-            const std::string unit = config::find_parameter(axis.keys[k])->unit;
-            Scale scale{axis.keys[k] + (unit.empty() ? "" : " [" + unit + "]"), *numbers, {}, true, axis.is_log};
+            Scale scale{axis_label(axis.keys[k]), *numbers, {}, true, axis.is_log};
             for (double& x : scale.x)
             {
                 if (axis.is_log)
@@ -84,7 +101,7 @@ Scale scale_of(const SweepAxis& axis)
             return scale;
         }
     }
-    Scale scale{axis.keys.front(), {}, {}, false, false};
+    Scale scale{axis_label(axis.keys.front()), {}, {}, false, false};
     for (std::size_t i = 0; i < axis.size(); ++i)
     {
         scale.x.push_back(static_cast<double>(i));
@@ -199,7 +216,8 @@ std::vector<view::Panel> measure_panels(const SweepTable& table, std::size_t axi
         const std::string& text = table.sweep.measures[i].text;
         if (std::ranges::find(table.sweep.plots, text) != table.sweep.plots.end())
         {
-            panels.push_back(panel_of(table, axis, scale, text, [i](const SweepRow& row) { return row.measures[i]; }));
+            panels.push_back(panel_of(table, axis, scale, measure_label(table.sweep.measures[i]),
+                                      [i](const SweepRow& row) { return row.measures[i]; }));
             add_lines(table, table.sweep.axes[axis], text, scale, panels.back());
         }
     }
@@ -229,14 +247,14 @@ std::optional<record::Frame> last_frame(const SweepTable& table, const SweepRow&
 /// A scale for the surfaces of all runs that completed, or of all runs where none did.
 view::ColorScale common_scale(const SweepTable& table, std::span<const SweepRow> rows)
 {
-    view::ColorScale common{"J = det F", 1e300, -1e300};
+    view::ColorScale common{view::titled("J", ""), 1e300, -1e300};
     const bool any = std::ranges::any_of(rows, is_completed);
     for (const SweepRow& row : rows)
     {
         const std::optional<record::Frame> frame = !any || is_completed(row) ? last_frame(table, row) : std::nullopt;
         if (frame)
         {
-            const view::ColorScale own = view::robust_scale(common.label, frame->surface_J, common.map);
+            const view::ColorScale own = view::scalar_scale("J", frame->surface_J);
             common.low = std::min(common.low, own.low);
             common.high = std::max(common.high, own.high);
         }
