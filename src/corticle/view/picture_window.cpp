@@ -153,6 +153,10 @@ void add_color_bar(vtkRenderer* renderer, const ColorScale& scale, double x, dou
     add_image(renderer, bar_image(scale, width, static_cast<int>(height)), x, y);
     for (const double value : round_ticks(scale.low, scale.high, tick_count))
     {
+        if (scale.map == ColorMap::regions && value != std::round(value))
+        {
+            continue; // labels are whole numbers
+        }
         const double fraction = (value - scale.low) / (scale.high > scale.low ? scale.high - scale.low : 1.0);
         add_text(renderer, tick_text(scale, value), x + width + 8 * size, y + fraction * height,
                  {.size = text(20), .align = -1});
