@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Each of cases/*.toml and thesis/corrected.toml, at 6,000 particles (fetal: 20,000) and to its end, against its own [expect] and what any sound run shows; the sphere also with constant loading."""
 
-import csv
 import json
 import sys
 import tomllib
@@ -11,6 +10,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "cli"))
 
 import _command  # noqa: E402
+import _run_folders  # noqa: E402
 import _surfaces  # noqa: E402
 from _two_lobes import two_lobes  # noqa: E402
 
@@ -66,9 +66,7 @@ def fold(bench, file, case, out="run", extra=()):
         bench.check((run / name).is_file() and (run / name).stat().st_size > 0, f"{file.name}: no {name}")
     if bench.problems:
         return [], {}
-    with open(run / "measures.csv", encoding="utf-8", newline="") as stream:
-        rows = [{key.split(" ")[0]: float(value) for key, value in row.items()} for row in csv.DictReader(stream)]
-    return rows, json.loads((run / "summary.json").read_text(encoding="utf-8"))
+    return _run_folders.measure_rows(run), json.loads((run / "summary.json").read_text(encoding="utf-8"))
 
 
 def check_expectations(bench, name, expected, summary):

@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Each of cases/hypotheses and cases/disorders, at 4,000 particles and to its end, against its own [expect]; disorders also beside their control."""
 
-import csv
 import json
 import sys
 import tomllib
@@ -11,6 +10,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "cli"))
 
 import _command  # noqa: E402
+import _run_folders  # noqa: E402
 
 PARTICLES = 4000
 
@@ -41,8 +41,7 @@ def case_test(file):
         bench.check(summary["status"] == "completed", f"{file.name}: {summary['status']}")
         for key, (low, high) in case["expect"].items():
             bench.check(low <= summary[key] <= high, f"{file.name}: {key} is {summary[key]}, expected {low} to {high}")
-        with open(bench.folder / "run" / "measures.csv", encoding="utf-8", newline="") as stream:
-            rows = [{key.split(" ")[0]: float(value) for key, value in row.items()} for row in csv.DictReader(stream)]
+        rows = _run_folders.measure_rows(bench.folder / "run")
         bench.check(min(row["J_min"] for row in rows) > 0, f"{file.name}: a particle is inverted")
         bench.check(rows[-1]["intersecting_triangles"] == 0, f"{file.name}: surfaces cross")
         summaries[file.stem] = summary

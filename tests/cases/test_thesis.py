@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The thesis's equations fail as they are known to: as printed at once, with F of displacements after bulging at t of about 0.04."""
 
-import csv
 import json
 import sys
 import tomllib
@@ -11,6 +10,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "cli"))
 
 import _command  # noqa: E402
+import _run_folders  # noqa: E402
 
 SHORTER = ("geometry.particles=4000", "solver.time_step=1e-4", "output.pictures=off")
 CASE = Path(__file__).resolve().parents[2] / "cases" / "thesis" / "printed.toml"
@@ -28,8 +28,7 @@ def failed_run(bench, *settings):
         bench.check(part in errors, f"stderr {errors[-500:]!r} does not say {part!r}")
     summary = json.loads((bench.folder / "run" / "summary.json").read_text(encoding="utf-8"))
     bench.check(summary["status"] == "failed" and summary["formulation"] == "thesis", f"summary says {summary}")
-    with open(bench.folder / "run" / "measures.csv", encoding="utf-8", newline="") as stream:
-        return summary, [{key.split(" ")[0]: float(value) for key, value in row.items()} for row in csv.DictReader(stream)]
+    return summary, _run_folders.measure_rows(bench.folder / "run")
 
 
 def as_printed(bench):

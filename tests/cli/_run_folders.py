@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Run folders compared file by file, and ways to stop a run."""
+"""Run folders read and compared file by file, and ways to stop a run."""
 
+import csv
 import json
 import time
 
@@ -11,6 +12,12 @@ VOLATILE = {"wall_s", "us_per_particle_step", "ns_per_element_step", "peak_memor
 def temporaries(folder):
     """Files written aside and not yet renamed."""
     return sorted(str(path.relative_to(folder)) for path in folder.rglob(".*.tmp"))
+
+
+def measure_rows(folder):
+    """Rows of measures.csv, numbers by key; the units of the header are left out."""
+    with open(folder / "measures.csv", encoding="utf-8", newline="") as stream:
+        return [{key.split(" ")[0]: float(value) for key, value in row.items()} for row in csv.DictReader(stream)]
 
 
 def contents(folder, volatile):

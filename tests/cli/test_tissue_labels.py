@@ -2,12 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tissues by label and growth by week, on a small ball with a cortical plate; what does not go together is refused."""
 
-import csv
 import json
 import math
 
 import _command
-from _run_folders import check_same
+from _run_folders import check_same, measure_rows
 from _volumes import nifti
 
 SIZE, VOXEL = 32, 0.8
@@ -45,11 +44,6 @@ def ball():
     return nifti(labels, (SIZE,) * 3, VOXEL)
 
 
-def rows(bench, folder):
-    with open(bench.folder / folder / "measures.csv", encoding="utf-8") as file:
-        return [{key.split(" ")[0]: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
-
-
 def bodies(bench):
     bench.write("ball.nii", ball())
     bench.write("ball.toml", CASE)
@@ -69,7 +63,7 @@ def bodies(bench):
     bench.accepted("run", "ball.toml", "--out", "start", "--body", "body", "--quiet")
     # below z = -5 the surface of the body without cortex is that of the body
     inside = math.pi * (2 * 8.6 * 13.6 + 11**2 - 8.6**2 + 2 * 11 * 6)
-    near(rows(bench, "start")[0]["inner_area_mm2"], inside, 0.1 * inside, "area of the inner surface") # its rim is rounded
+    near(measure_rows(bench.folder / "start")[0]["inner_area_mm2"], inside, 0.1 * inside, "area of the inner surface") # its rim is rounded
 
 
 def graded(bench):
@@ -99,7 +93,7 @@ def runs(bench):
     for folder, method in (("direct", ()), ("fem", ("--set", "solver.method=fem"))):
         if method:
             bench.accepted("run", "ball.toml", "--out", folder, "--quiet", *method)
-        first, last = rows(bench, folder)[0], rows(bench, folder)[-1]
+        first, *_, last = measure_rows(bench.folder / folder)
         grown = last["volume_mm3"] / first["volume_mm3"]
         # 0.4 weeks at 13 and 16 % a week: the body starts at the speed of its growth and does not lag
         bench.check(1.05 < grown < 1.075, f"{folder}: volume grows by {grown}")

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/material/remodelling_view.hpp"
+#include "mechanics/energy_gradient.hpp"
 #include "mechanics/methods.hpp"
-#include "momenta.hpp"
 
 #include <gtest/gtest.h>
 
@@ -90,24 +90,9 @@ class WithHistory : public testing::Test
     {
         std::vector<Vec3> forces;
         response_at(at, forces);
-        const double h = 1e-5 * body.spacing();
-        for (std::uint64_t direction = 0; direction < 5; ++direction)
-        {
-            std::vector<Vec3> above(at.begin(), at.end());
-            std::vector<Vec3> below(at.begin(), at.end());
-            double expected = 0.0;
-            double size = 0.0;
-            for (std::size_t i = 0; i < at.size(); ++i)
-            {
-                const Vec3 d = test::random_vector(direction, i);
-                above[i] += h * d;
-                below[i] -= h * d;
-                expected -= dot(forces[i], d);
-                size += std::abs(dot(forces[i], d));
-            }
-            EXPECT_NEAR((energy_at(above) - energy_at(below)) / (2.0 * h), expected, tolerance * size);
-        }
-        test::expect_momenta_conserved(at, forces);
+        test::expect_energy_gradient(
+            at, forces, [this](std::span<const Vec3> positions) { return energy_at(positions); }, 1e-5 * body.spacing(),
+            tolerance);
     }
 
     Body body;

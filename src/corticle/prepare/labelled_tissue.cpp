@@ -144,11 +144,10 @@ void complete_labelled_tissue(const PreparationOptions& options, material::Tissu
     }
 }
 
-double largest_labelled_thickness(const PreparationOptions& options, std::span<const Vec3> vertices)
+double largest_labelled_thickness(const imaging::TissueReader& reader, std::span<const Vec3> vertices)
 {
-    constexpr double part = 0.95;   // single places deeper, where the banks of a sulcus are one in the labels
-    std::vector<std::string> notes; // given when the tissue itself is read
-    std::vector<double> thickness = read_tissues(options, notes).at(vertices).cortex_inside;
+    constexpr double part = 0.95; // single places deeper, where the banks of a sulcus are one in the labels
+    std::vector<double> thickness = reader.at(vertices).cortex_inside;
     std::erase_if(thickness, [](double inside) { return inside <= 0.0; });
     if (thickness.empty())
     {

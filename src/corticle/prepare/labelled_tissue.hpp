@@ -27,8 +27,7 @@ void set_labelled_tissue(const imaging::TissueReader& reader, std::span<const Ve
 void complete_labelled_tissue(const PreparationOptions& options, material::TissueFields& tissue);
 
 /// The thickness that 95 % of the labelled cortex does not exceed, at vertices of the outer surface [mm].
-/// @throws InputError for labels that cannot be used
-double largest_labelled_thickness(const PreparationOptions& options, std::span<const Vec3> vertices);
+double largest_labelled_thickness(const imaging::TissueReader& reader, std::span<const Vec3> vertices);
 
 /// Mean thickness of the cortex below the outer surface, by area [mm].
 double labelled_thickness(const model::Model& model);

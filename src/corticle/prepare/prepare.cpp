@@ -24,6 +24,7 @@
 
 #include <numbers>
 #include <numeric>
+#include <optional>
 
 namespace corticle::prepare
 {
@@ -105,7 +106,9 @@ struct GradedResolution
     cloud::Grading grading;
 };
 
-GradedResolution graded_resolution(const PreparationOptions& options, const BodySource& source)
+/// @param tissues  of a labelled cortex; null: none is labelled
+GradedResolution graded_resolution(const PreparationOptions& options, const BodySource& source,
+                                   const imaging::TissueReader* tissues)
 {
     if (options.geometry.grading <= 1.0)
     {
@@ -115,8 +118,8 @@ GradedResolution graded_resolution(const PreparationOptions& options, const Body
     const geometry::SurfaceTree tree(surface.vertices, surface.triangles);
     const cloud::DepthProfile profile(tree);
     const cloud::Grading grading =
-        has_labelled_cortex(options)
-            ? cloud::Grading{options.geometry.grading, largest_labelled_thickness(options, surface.vertices)}
+        tissues != nullptr
+            ? cloud::Grading{options.geometry.grading, largest_labelled_thickness(*tissues, surface.vertices)}
             : grading_of(options, source.map_surface, fitted_semi_axes(surface.vertices));
     return {resolve_resolution(options, source.volume, source.area, &profile, grading), grading};
 }
@@ -146,12 +149,14 @@ TriangleMesh remeshed_surface(const GeometryOptions& options, double edge_length
 }
 
 /// Surface and particles or tets of the options' arrangement; the surface's vertices are particles.
-/// @param source  receives a coarser mask where its surface asks for one
-void set_cloud(const PreparationOptions& options, BodySource& source, Preparation& made)
+/// @param tissues  of a labelled cortex; null: none is labelled
+/// @param source   receives a coarser mask where its surface asks for one
+void set_cloud(const PreparationOptions& options, const imaging::TissueReader* tissues, BodySource& source,
+               Preparation& made)
 {
     model::Model& model = made.model;
     const GeometryOptions& geometry = options.geometry;
-    const auto [resolution, grading] = graded_resolution(options, source);
+    const auto [resolution, grading] = graded_resolution(options, source, tissues);
     const auto [spacing, particles] = resolution;
     if (geometry.arrangement == Arrangement::body_fitted || geometry.arrangement == Arrangement::mesh_nodes)
     {
@@ -280,7 +285,13 @@ Preparation arrange_body(const PreparationOptions& options)
     Preparation made;
     model::Model& model = made.model;
     BodySource source = read_body_source(options.geometry);
-    set_cloud(options, source, made);
+    std::optional<imaging::TissueReader> tissues;
+    std::vector<std::string> tissue_notes;
+    if (has_labelled_cortex(options))
+    {
+        tissues = read_tissues(options, tissue_notes);
+    }
+    set_cloud(options, tissues ? &*tissues : nullptr, source, made);
     made.report.source = source.kind;
     std::ranges::move(source.notes, std::back_inserter(made.report.notes));
     made.report.warnings = std::move(source.warnings);
@@ -300,14 +311,14 @@ Preparation arrange_body(const PreparationOptions& options)
         set_depth(options.geometry, tree, places, model.fem->tissue);
         set_maps(options.map, source.map_surface, places, model.fem->tissue);
     }
-    if (has_labelled_cortex(options))
+    std::ranges::move(tissue_notes, std::back_inserter(made.report.notes));
+    if (tissues)
     {
-        const imaging::TissueReader reader = read_tissues(options, made.report.notes);
         model.inner_surface = inner_surface(options, made.report.notes);
-        set_labelled_tissue(reader, material_places(model), model.tissue);
+        set_labelled_tissue(*tissues, material_places(model), model.tissue);
         if (model.fem)
         {
-            set_labelled_tissue(reader, places, model.fem->tissue);
+            set_labelled_tissue(*tissues, places, model.fem->tissue);
         }
     }
     return made;

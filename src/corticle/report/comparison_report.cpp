@@ -127,8 +127,7 @@ Page page_of_reals(const ReportRequest& request, const Json& comparison)
 
 bool is_comparison(const fs::path& folder)
 {
-    std::error_code error;
-    return fs::exists(folder / numbers_file, error);
+    return is_there(folder / numbers_file);
 }
 
 Page comparison_page(const ReportRequest& request)

@@ -4,6 +4,7 @@
 #include "corticle/report/plain_text.hpp"
 #include "corticle/report/report.hpp"
 #include "corticle/report/run_facts.hpp"
+#include "corticle/report/sources.hpp"
 
 #include <fmt/format.h>
 
@@ -29,12 +30,6 @@ constexpr std::array shown{
     std::pair{"intersecting_triangles", ""},
     std::pair{"energy_balance_error", ""},
 };
-
-bool is_there(const std::filesystem::path& file)
-{
-    std::error_code error;
-    return std::filesystem::exists(file, error);
-}
 
 } // namespace
 

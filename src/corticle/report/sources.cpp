@@ -21,12 +21,17 @@ Json read_json(const fs::path& file)
     return json;
 }
 
-fs::path found_from(const fs::path& folder, const std::string& path)
+bool is_there(const fs::path& file)
 {
     std::error_code error;
+    return fs::exists(file, error);
+}
+
+fs::path found_from(const fs::path& folder, const std::string& path)
+{
     for (const fs::path& place : {fs::path(path), folder / ".." / path, folder / path})
     {
-        if (fs::exists(place, error))
+        if (is_there(place))
         {
             return place;
         }

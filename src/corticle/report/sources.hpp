@@ -6,6 +6,9 @@
 namespace corticle::report
 {
 
+/// Whether a file or folder is there; one that cannot be looked at is not.
+bool is_there(const std::filesystem::path& file);
+
 /// A JSON file with an object in it. @throws InputError
 Json read_json(const std::filesystem::path& file);
 

@@ -105,8 +105,7 @@ std::vector<Body> last_body(const fs::path& folder, const std::string& name)
 
 bool is_sweep(const fs::path& folder)
 {
-    std::error_code error;
-    return fs::exists(folder / numbers_file, error);
+    return is_there(folder / numbers_file);
 }
 
 Page sweep_page(const ReportRequest& request)

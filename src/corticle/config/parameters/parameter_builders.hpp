@@ -144,33 +144,30 @@ inline Parameter where(bool (*holds)(const Options&), Parameter parameter)
 /// A growth time that weeks replace where there is a clock.
 inline Parameter without_clock(Parameter parameter)
 {
-    parameter.get = [get = parameter.get](const Options& options) -> Value
-    { return options.time.clock == material::GestationalClock::none ? get(options) : Unsupported{}; };
-    return parameter;
+    return where([](const Options& options) { return options.time.clock == material::GestationalClock::none; },
+                 std::move(parameter));
 }
 
 /// A number of the thickness, which a preset replaces.
 inline Parameter without_thickness_preset(Parameter parameter)
 {
-    parameter.get = [get = parameter.get](const Options& options) -> Value
-    { return options.tissue.thickness_preset == material::ThicknessPreset::none ? get(options) : Unsupported{}; };
-    return parameter;
+    return where([](const Options& options)
+                 { return options.tissue.thickness_preset == material::ThicknessPreset::none; },
+                 std::move(parameter));
 }
 
 /// A key of growth by t, which growth by week replaces.
 inline Parameter without_growth_by_week(Parameter parameter)
 {
-    parameter.get = [get = parameter.get](const Options& options) -> Value
-    { return options.tissue.growth_source == material::GrowthSource::keys ? get(options) : Unsupported{}; };
-    return parameter;
+    return where([](const Options& options) { return options.tissue.growth_source == material::GrowthSource::keys; },
+                 std::move(parameter));
 }
 
 /// A key of the thesis's formulation, which other cases do not have.
 inline Parameter of_thesis(Parameter parameter)
 {
-    parameter.get = [get = parameter.get](const Options& options) -> Value
-    { return options.formulation == thesis::Formulation::thesis ? get(options) : Unsupported{}; };
-    return parameter;
+    return where([](const Options& options) { return options.formulation == thesis::Formulation::thesis; },
+                 std::move(parameter));
 }
 
 /// An optional number that is `otherwise(options)` where it is not given.
