@@ -2,10 +2,10 @@
 #include "corticle/study/hemispheres.hpp"
 
 #include "corticle/base/box.hpp"
+#include "corticle/geometry/surface_faults.hpp"
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 namespace corticle::study
 {
@@ -13,51 +13,25 @@ namespace corticle::study
 namespace
 {
 
-/// For each vertex the least number of the vertices that edges connect it with.
-std::vector<std::int32_t> pieces_of(const TriangleMesh& surface)
-{
-    std::vector<std::int32_t> parent(surface.vertices.size());
-    std::iota(parent.begin(), parent.end(), 0);
-    const auto root = [&](std::int32_t v)
-    {
-        while (parent[static_cast<std::size_t>(v)] != v)
-        {
-            std::int32_t& up = parent[static_cast<std::size_t>(v)];
-            up = parent[static_cast<std::size_t>(up)];
-            v = up;
-        }
-        return v;
-    };
-    for (const Triangle& triangle : surface.triangles)
-    {
-        const std::int32_t low = std::min({root(triangle[0]), root(triangle[1]), root(triangle[2])});
-        for (const std::int32_t v : triangle)
-        {
-            parent[static_cast<std::size_t>(root(v))] = low;
-        }
-    }
-    for (std::size_t v = 0; v < parent.size(); ++v)
-    {
-        parent[v] = root(static_cast<std::int32_t>(v));
-    }
-    return parent;
-}
-
-/// Extent of each piece along x, in the place of its least vertex.
+/// Extent of a piece along x.
 struct Reach
 {
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
 };
 
+/// Of each piece. @param pieces  geometry::shells_of(surface)
 std::vector<Reach> reaches_of(const TriangleMesh& surface, std::span<const std::int32_t> pieces)
 {
-    std::vector<Reach> reaches(pieces.size());
-    for (std::size_t v = 0; v < pieces.size(); ++v)
+    std::vector<Reach> reaches(pieces.empty() ? 0 : static_cast<std::size_t>(*std::ranges::max_element(pieces) + 1));
+    for (std::size_t t = 0; t < pieces.size(); ++t)
     {
-        Reach& reach = reaches[static_cast<std::size_t>(pieces[v])];
-        reach.low = std::min(reach.low, surface.vertices[v].x);
-        reach.high = std::max(reach.high, surface.vertices[v].x);
+        Reach& reach = reaches[static_cast<std::size_t>(pieces[t])];
+        for (const std::int32_t v : surface.triangles[t])
+        {
+            reach.low = std::min(reach.low, surface.vertices[static_cast<std::size_t>(v)].x);
+            reach.high = std::max(reach.high, surface.vertices[static_cast<std::size_t>(v)].x);
+        }
     }
     return reaches;
 }
@@ -98,15 +72,14 @@ bool has_separate_hemispheres(const TriangleMesh& surface)
     const double middle = bounding_box(surface.vertices).center().x;
     bool has_left = false;
     bool has_right = false;
-    for (const Reach& reach : reaches_of(surface, pieces_of(surface)))
+    for (const Reach& reach : reaches_of(surface, geometry::shells_of(surface)))
     {
         if (reach.low < middle && reach.high > middle)
         {
             return false;
         }
-        const bool is_piece = reach.low <= reach.high;
-        has_left = has_left || (is_piece && reach.high <= middle);
-        has_right = has_right || (is_piece && reach.low >= middle);
+        has_left = has_left || reach.high <= middle;
+        has_right = has_right || reach.low >= middle;
     }
     return has_left && has_right;
 }
@@ -114,22 +87,23 @@ bool has_separate_hemispheres(const TriangleMesh& surface)
 std::vector<SurfacePart> hemispheres(const TriangleMesh& surface, bool cuts)
 {
     const double middle = bounding_box(surface.vertices).center().x;
-    const std::vector<std::int32_t> pieces = pieces_of(surface);
+    const std::vector<std::int32_t> pieces = geometry::shells_of(surface);
     const std::vector<Reach> reaches = reaches_of(surface, pieces);
-    const auto is_left = [&](const Triangle& triangle)
+    std::vector<Triangle> left;
+    std::vector<Triangle> right;
+    for (std::size_t t = 0; t < pieces.size(); ++t)
     {
-        const Reach& reach = reaches[static_cast<std::size_t>(pieces[static_cast<std::size_t>(triangle[0])])];
+        const Triangle& triangle = surface.triangles[t];
+        const Reach& reach = reaches[static_cast<std::size_t>(pieces[t])];
         double sum = 0.0;
         for (const std::int32_t v : triangle)
         {
             sum += surface.vertices[static_cast<std::size_t>(v)].x;
         }
-        return (cuts ? sum / 3.0 : 0.5 * (reach.low + reach.high)) < middle;
-    };
-    std::vector<Triangle> sorted = surface.triangles;
-    const auto right = std::stable_partition(sorted.begin(), sorted.end(), is_left);
-    return {part_of(surface.vertices.size(), {sorted.begin(), right}, "CortexLeft", "L"),
-            part_of(surface.vertices.size(), {right, sorted.end()}, "CortexRight", "R")};
+        ((cuts ? sum / 3.0 : 0.5 * (reach.low + reach.high)) < middle ? left : right).push_back(triangle);
+    }
+    return {part_of(surface.vertices.size(), left, "CortexLeft", "L"),
+            part_of(surface.vertices.size(), right, "CortexRight", "R")};
 }
 
 } // namespace corticle::study
