@@ -3,10 +3,11 @@
 
 #include "corticle/base/random.hpp"
 #include "corticle/cloud/neighbors.hpp"
+#include "corticle/cloud/ordered_cloud.hpp"
+#include "corticle/geometry/shapes.hpp"
 #include "corticle/material/tissue.hpp"
 #include "corticle/mechanics/tlsph/particles.hpp"
 #include "corticle/mesh/cell_grid.hpp"
-#include "corticle/mesh/space_filling_curve.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,15 +16,16 @@
 namespace corticle::bench
 {
 
-/// A ball of jittered lattice points, spacing 1, in the order of a space-filling curve: made in seconds at a million,
-/// and to the pair passes the same as a prepared body.
+/// A ball with particles on its surface and on a jittered lattice below it, spacing 1, in the order of a space-filling
+/// curve: made in seconds at a million, and to the pair passes the same as a prepared body.
 inline Cloud jittered_ball(std::int64_t count)
 {
     constexpr double jitter = 0.2;
     constexpr std::uint64_t seed = 1;
     const double radius = std::cbrt(3.0 * static_cast<double>(count) / (4.0 * std::numbers::pi));
     const auto reach = static_cast<int>(radius) + 1;
-    std::vector<Vec3> points;
+    const TriangleMesh surface = geometry::make_ellipsoid({radius, radius, radius}, 1.0);
+    std::vector<Vec3> points = surface.vertices;
     std::uint64_t counter = 0;
     const auto offset = [&] { return jitter * (2.0 * hash_uniform(seed, counter++) - 1.0); };
     for (int z = -reach; z <= reach; ++z)
@@ -33,20 +35,15 @@ inline Cloud jittered_ball(std::int64_t count)
             for (int x = -reach; x <= reach; ++x)
             {
                 const Vec3 at{x + offset(), y + offset(), z + offset()};
-                if (squared_norm(at) <= radius * radius)
+                if (norm(at) <= radius - 0.75)
                 {
                     points.push_back(at);
                 }
             }
         }
     }
-    Cloud cloud;
+    Cloud cloud = cloud::ordered_cloud(points, {std::vector<double>(points.size(), 1.0), points}, surface);
     cloud.spacing = 1.0;
-    for (const std::int32_t k : hilbert_order(points))
-    {
-        cloud.positions.push_back(points[static_cast<std::size_t>(k)]);
-    }
-    cloud.volumes.assign(points.size(), 1.0);
     return cloud;
 }
 
