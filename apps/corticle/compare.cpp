@@ -19,7 +19,7 @@ int compare_command(const CompareArguments& arguments)
     {
         std::fprintf(stderr, "corticle: warning: no pictures: %s\n", outcome.pictures.reason.c_str());
     }
-    const bool has_page = arguments.report && write_report_beside(outcome.folder, false);
+    const bool has_page = arguments.report && outcome.has_page && write_report_beside(outcome.folder, false);
     if (arguments.json)
     {
         fmt::print("{}", outcome.json);

@@ -235,16 +235,19 @@ void add_compare(CLI::App& app, Verb& chosen)
 {
     auto arguments = std::make_shared<CompareArguments>();
     study::ComparisonRequest& request = arguments->request;
-    CLI::App* verb = app.add_subcommand("compare", "Compare a run with another run, or with real surfaces");
+    CLI::App* verb =
+        app.add_subcommand("compare", "Compare a run with another run, with many of its body, or with real surfaces");
     verb->add_option("run", request.run, "Run folder")->type_name("RUN")->required();
     verb->add_option("others", request.others,
-                     "Another run folder, or real surfaces or labels, each with its week (or FILE@t=T)")
+                     "Other run folders, or real surfaces or labels, each with its week (or FILE@t=T)")
         ->type_name("RUN|FILE@WEEK")
         ->required();
     verb->add_option("--out", request.out, "Folder of the report (default: compare_<A>_<B>)")->type_name("DIR");
     verb->add_flag("--overwrite", request.overwrite, "Replace an earlier report in the folder");
-    verb->add_option("--time", request.picture_times,
-                     "Growth time of the pictures of two runs; may be repeated (default: half and end)")
+    verb->add_option(
+            "--time", request.picture_times,
+            "Growth time of the pictures of two runs; may be repeated (default: half and end); of more runs, when "
+            "to compare them (default: end)")
         ->type_name("T")
         ->type_size(1)
         ->allow_extra_args(false);

@@ -4,7 +4,8 @@
     build/venv/bin/python python/benchmarks/cost.py --command build/release/bin/corticle
 
 Both step the same body to the same t, by turns, so that what else the machine does meets both. Times are those of processors, with
-one thread, as others may be at work on the machine; preparation and outputs are taken off as the time of a run that ends early.
+one thread, as others may be at work on the machine, and what counts is the least of each, which is that of a run least disturbed;
+preparation and outputs are taken off as the time of a run that ends early.
 """
 
 import argparse
@@ -17,7 +18,7 @@ import tempfile
 import time
 import warnings
 from pathlib import Path
-from typing import List
+from typing import Dict, List, Tuple
 
 import corticle
 
@@ -57,18 +58,17 @@ def steps(options: argparse.Namespace) -> None:
                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         body = corticle.prepare(case)
         early = 0.1 * options.end
-        ratios: List[float] = []
+        spent: Dict[str, List[Tuple[float, float]]] = {"command": [], "module": []}
         for turn in range(options.pairs):
-            spent = {}
             for who in ("command", "module") if turn % 2 == 0 else ("module", "command"):
                 long, short = (by_module(body, end, turn % 4 >= 2) if who == "module" else by_command(options.command, folder, end)
                                for end in (options.end, early))
-                spent[who] = long - short
-            ratios.append(spent["module"] / spent["command"])
-            print(f"module {spent['module']:.3f} s, command {spent['command']:.3f} s: {ratios[-1]:.4f}", flush=True)
-    error = statistics.stdev(ratios) / len(ratios)**0.5 if len(ratios) > 1 else float("nan")
-    print(f"steps of {options.particles} particles: module / command {statistics.median(ratios):.4f}, "
-          f"mean {statistics.mean(ratios):.4f} +- {error:.4f}")
+                spent[who].append((long, short))
+                print(f"{who:8} {long - short:.3f} s", flush=True)
+    ratios = [(module[0] - module[1]) / (command[0] - command[1]) for module, command in zip(spent["module"], spent["command"])]
+    least = {who: min(long for long, _ in times) - min(short for _, short in times) for who, times in spent.items()}
+    print(f"steps of {options.particles} particles, module / command: least times {least['module'] / least['command']:.4f}, median of "
+          f"{len(ratios)} pairs {statistics.median(ratios):.4f}")
 
 
 def views(particles: int) -> None:

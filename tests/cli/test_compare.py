@@ -55,6 +55,35 @@ def check_report(bench, out, has_pictures):
     return report
 
 
+def many_runs(bench):
+    """Runs of one body that differ in the imperfection, and what are none of it."""
+    names = ("seed1", "seed2", "seed3")
+    for seed, name in enumerate(names, 1):
+        bench.write(f"{name}.toml", CASE.format(800, 0.3) + f"[imperfection]\nseed = {seed}\n")
+        bench.accepted("run", f"{name}.toml", "--out", name, "--quiet")
+    found = compared(bench, *names, "--out", "seeds")
+    bench.check(found["kind"] == "variation" and found["t"] == 0.3 and found["runs"] == list(names), f"variation: {found['runs']}")
+    ends = [json.loads((bench.folder / name / "summary.json").read_text())["area_ratio"] for name in names]
+    spread = found["measures"]["area_ratio"]
+    bench.check(math.isclose(spread["mean"], sum(ends) / 3, rel_tol=1e-12), f"mean area ratio {spread['mean']} of {ends}")
+    bench.check((spread["lowest"], spread["highest"]) == (min(ends), max(ends)), f"range {spread} of {ends}")
+    pattern = found["pattern"]["depth_correlation"]
+    bench.check(-1 <= pattern["lowest"] <= pattern["mean"] <= pattern["highest"] < 1, f"correlations {pattern}")
+    surface = (bench.folder / "seeds" / "variation.vtp").read_bytes()
+    bench.check(all(f'Name="{name}"'.encode() in surface for name in ("sulcal_share", "depth_mean", "depth_sd")), "maps in variation.vtp")
+    check_report(bench, "seeds", bool(found["pictures"]))
+    earlier = compared(bench, *names, "--time", "0.15", "--out", "earlier")
+    bench.check(earlier["t"] == 0.15, f"--time 0.15: t = {earlier['t']}")
+    same = compared(bench, "seed1", "seed1", "seed1", "--out", "same")["pattern"]["depth_correlation"]
+    bench.check(math.isclose(same["mean"], 1.0, rel_tol=1e-9), f"a run beside itself: {same}")
+    bench.write("other.toml", CASE.format(900, 0.3))
+    bench.accepted("run", "other.toml", "--out", "other", "--quiet")
+    bench.refused(("compare", "seed1", "seed2", "other"), ["other: is of another body than seed1"])
+    bench.refused(("compare", *names, "--time", "0.2"), ["--time 0.2: seed1 has no output then"])
+    bench.refused(("compare", *names, "--time", "0.15", "--time", "0.3"), ["got 2 times for 3 runs; expected one"])
+    bench.refused(("compare", "seed1", "seed2", "other.toml@24"), ["other.toml@24: not a folder, among run folders"])
+
+
 def two_runs(bench):
     make_runs(bench, a=(800, 0.1), b=(1000, 0.1), short=(800, 0.06))
     bench.accepted("compare", "a", "b") # with pictures, where they can be made
@@ -173,7 +202,6 @@ def refusals(bench):
     bench.refused(["compare", "no_such_run", "a"], ["no_such_run", "run folder"])
     bench.refused(["compare", "a", "empty"], ["empty", "not a run folder"])
     bench.refused(["compare", "begun", "a"], ["begun", "no frames"])
-    bench.refused(["compare", "a", "a", "a"], ["one other run"])
     bench.refused(["compare", "a", "ball.off"], ["ball.off", "FILE@WEEK"])
     bench.refused(["compare", "a", "ball.off@"], ["ball.off@", "not a number"])
     bench.refused(["compare", "a", "ball.off@nan"], ["ball.off@nan", "not a number"])
@@ -203,4 +231,4 @@ def refusals(bench):
 
 
 if __name__ == "__main__":
-    _command.main(__doc__, two_runs, with_itself, beside_real_surfaces, refusals)
+    _command.main(__doc__, two_runs, many_runs, with_itself, beside_real_surfaces, refusals)

@@ -3,14 +3,10 @@
 
 #include "corticle/base/parallel.hpp"
 #include "corticle/base/polar.hpp"
-#include "corticle/geometry/hull.hpp"
 #include "corticle/geometry/surface_tree.hpp"
 #include "corticle/mesh/sizes.hpp"
-#include "corticle/metrics/surface/curvature.hpp"
-#include "corticle/metrics/surface/sulcal_pits.hpp"
-#include "corticle/metrics/surface/vertex_adjacency.hpp"
+#include "corticle/metrics/fold_features.hpp"
 
-#include <Eigen/Dense>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,79 +22,6 @@ namespace
 
 constexpr int alignment_rounds = 40;
 constexpr std::size_t alignment_points = 4000;
-constexpr double ridge_height_mm = 1.0;     ///< between sulcal pits of fetal brains
-constexpr double smoothing_length_mm = 2.0; ///< of the mean curvature: waves much shorter are no folds
-
-/// What is known at the vertices of a surface.
-struct Features
-{
-    std::vector<double> depth;     ///< below the convex hull [mm]
-    std::vector<double> curvature; ///< mean, smoothed [1/mm]
-    std::vector<Vec3> pits;
-};
-
-/// Mean over neighbours, again and again: a Gaussian along the surface of about this standard deviation.
-std::vector<double> smoothed(const SurfaceView& surface, std::vector<double> values, double length)
-{
-    const VertexLists adjacent = adjacent_vertices(surface.vertices.size(), surface.triangles);
-    const double edge = std::sqrt(2.31 * surface_area(surface.vertices, surface.triangles) /
-                                  static_cast<double>(surface.triangles.size())); // of equilateral triangles
-    const int rounds = static_cast<int>(std::ceil(2.0 * std::pow(length / edge, 2)));
-    std::vector<double> next(values.size());
-    for (int round = 0; round < rounds; ++round)
-    {
-        for (std::int32_t v = 0; v < adjacent.size(); ++v)
-        {
-            double sum = values[v];
-            for (const std::int32_t other : adjacent.of(v))
-            {
-                sum += values[other];
-            }
-            next[v] = sum / static_cast<double>(adjacent.of(v).size() + 1);
-        }
-        values.swap(next);
-    }
-    return values;
-}
-
-/// Distance of vertices to the nearest plane of the convex hull [mm].
-std::vector<double> hull_depth(std::span<const Vec3> vertices)
-{
-    const TriangleMesh hull = geometry::convex_hull(vertices);
-    std::vector<Vec3> normals;
-    std::vector<double> offsets;
-    for (const Triangle& t : hull.triangles)
-    {
-        const Vec3& a = hull.vertices[t[0]];
-        normals.push_back(normalized(cross(hull.vertices[t[1]] - a, hull.vertices[t[2]] - a)));
-        offsets.push_back(dot(normals.back(), a));
-    }
-    std::vector<double> depth(vertices.size());
-    parallel_for(std::ssize(vertices),
-                 [&](std::int64_t v)
-                 {
-                     double least = std::numeric_limits<double>::infinity();
-                     for (std::size_t k = 0; k < normals.size(); ++k)
-                     {
-                         least = std::min(least, offsets[k] - dot(normals[k], vertices[v]));
-                     }
-                     depth[v] = std::max(0.0, least);
-                 });
-    return depth;
-}
-
-Features features_of(const SurfaceView& surface)
-{
-    Features result;
-    result.depth = hull_depth(surface.vertices);
-    result.curvature =
-        smoothed(surface, vertex_curvature(surface.vertices, surface.triangles).mean, smoothing_length_mm);
-    for (const std::int32_t pit : depth_extrema(result.depth, surface.triangles, ridge_height_mm).pits)
-    {
-        result.pits.push_back(surface.vertices[pit]);
-    }
-    return result;
-}
 
 Vec3 centroid_of(std::span<const Vec3> points)
 {
@@ -164,72 +87,6 @@ class Carrier
     std::vector<geometry::SurfacePoint> feet_;
 };
 
-/// What a cubic polynomial of `known` does not explain; weighted with area.
-std::vector<double> taken_out(std::span<const double> values, std::span<const double> known,
-                              std::span<const double> weights)
-{
-    const auto size_of = [](double k) { return std::abs(k); };
-    const double scale = std::max(1e-300, size_of(*std::ranges::max_element(known, {}, size_of)));
-    const auto powers = [&](std::size_t v)
-    {
-        const double k = known[v] / scale;
-        return Eigen::Vector4d(1.0, k, k * k, k * k * k);
-    };
-    Eigen::Matrix4d A = Eigen::Matrix4d::Zero();
-    Eigen::Vector4d b = Eigen::Vector4d::Zero();
-    for (std::size_t v = 0; v < values.size(); ++v)
-    {
-        const Eigen::Vector4d p = powers(v);
-        A += weights[v] * p * p.transpose();
-        b += weights[v] * values[v] * p;
-    }
-    const Eigen::Vector4d c = A.completeOrthogonalDecomposition().solve(b);
-    std::vector<double> rest(values.size());
-    for (std::size_t v = 0; v < values.size(); ++v)
-    {
-        rest[v] = values[v] - c.dot(powers(v));
-    }
-    return rest;
-}
-
-/// Pearson's, weighted with area; 0 where one side is constant.
-double correlation(std::span<const double> a, std::span<const double> b, std::span<const double> weights)
-{
-    double total = 0.0;
-    double mean_a = 0.0;
-    double mean_b = 0.0;
-    for (std::size_t v = 0; v < a.size(); ++v)
-    {
-        total += weights[v];
-        mean_a += weights[v] * a[v];
-        mean_b += weights[v] * b[v];
-    }
-    mean_a /= total;
-    mean_b /= total;
-    double aa = 0.0;
-    double bb = 0.0;
-    double ab = 0.0;
-    for (std::size_t v = 0; v < a.size(); ++v)
-    {
-        aa += weights[v] * (a[v] - mean_a) * (a[v] - mean_a);
-        bb += weights[v] * (b[v] - mean_b) * (b[v] - mean_b);
-        ab += weights[v] * (a[v] - mean_a) * (b[v] - mean_b);
-    }
-    return aa * bb <= 1e-24 * total * total ? 0.0 : ab / std::sqrt(aa * bb); // NaN stays NaN
-}
-
-double sulcal_dice(std::span<const double> a, std::span<const double> b, std::span<const double> weights)
-{
-    double common = 0.0;
-    double sum = 0.0;
-    for (std::size_t v = 0; v < a.size(); ++v)
-    {
-        common += a[v] < 0.0 && b[v] < 0.0 ? weights[v] : 0.0;
-        sum += (a[v] < 0.0 ? weights[v] : 0.0) + (b[v] < 0.0 ? weights[v] : 0.0);
-    }
-    return sum > 0.0 ? 2.0 * common / sum : 0.0;
-}
-
 double share_near(std::span<const Vec3> real, std::span<const Vec3> predicted, double distance)
 {
     const auto is_near = [&](const Vec3& pit)
@@ -242,14 +99,14 @@ double share_near(std::span<const Vec3> real, std::span<const Vec3> predicted, d
 struct Truth
 {
     const SurfaceView& surface;
-    Features features;
+    FoldFeatures features;
     std::vector<double> weights;
     std::vector<double> first_depth;
     std::vector<double> first_curvature;
 };
 
 /// A surface that lies where `places` says, beside the real one.
-PatternScore score(std::string name, const Truth& truth, const SurfaceView& shape, const Features& features,
+PatternScore score(std::string name, const Truth& truth, const SurfaceView& shape, const FoldFeatures& features,
                    const Similarity& to_place)
 {
     std::vector<Vec3> places(shape.vertices.begin(), shape.vertices.end());
@@ -321,12 +178,12 @@ FoldPattern fold_pattern(const SurfaceView& first, const SurfaceView& grown, con
     FoldPattern result;
     result.alignment = align(grown, target, &result.residual_mm);
     const Similarity first_place = align(first, target);
-    Features first_features = features_of(first);
-    const Features grown_features = features_of(grown);
+    FoldFeatures first_features = fold_features(first);
+    const FoldFeatures grown_features = fold_features(grown);
     std::vector<Vec3> first_positions(first.vertices.begin(), first.vertices.end());
     std::ranges::transform(first_positions, first_positions.begin(), first_place);
     const Carrier from_first(first, std::move(first_positions), target.vertices);
-    Truth truth{target, features_of(target), vertex_areas(target.vertices, target.triangles),
+    Truth truth{target, fold_features(target), vertex_areas(target.vertices, target.triangles),
                 from_first.carry(first_features.depth), from_first.carry(first_features.curvature)};
 
     std::vector<Vec3> mirrored(grown.vertices.begin(), grown.vertices.end());
@@ -334,7 +191,7 @@ FoldPattern fold_pattern(const SurfaceView& first, const SurfaceView& grown, con
     std::vector<Triangle> flipped(grown.triangles.begin(), grown.triangles.end());
     std::ranges::for_each(flipped, [](Triangle& t) { std::swap(t[1], t[2]); });
     const SurfaceView mirror{mirrored, flipped};
-    Features mirror_features = grown_features;
+    FoldFeatures mirror_features = grown_features;
     std::ranges::for_each(mirror_features.pits, [](Vec3& pit) { pit.x = -pit.x; });
 
     result.scores.push_back(score("run", truth, grown, grown_features, result.alignment));
@@ -346,7 +203,7 @@ FoldPattern fold_pattern(const SurfaceView& first, const SurfaceView& grown, con
         result.scores.push_back(score(fmt::format("turned by {:g} degrees", degrees), truth, grown, grown_features,
                                       turned(result.alignment, centre, degrees)));
     }
-    const auto plain = [&](const SurfaceView& shape, const Features& features, const Similarity& place)
+    const auto plain = [&](const SurfaceView& shape, const FoldFeatures& features, const Similarity& place)
     {
         std::vector<Vec3> places(shape.vertices.begin(), shape.vertices.end());
         std::ranges::transform(places, places.begin(), place);

@@ -6,12 +6,14 @@
 #include "corticle/record/result_folder.hpp"
 #include "corticle/study/comparison/real_comparison.hpp"
 #include "corticle/study/comparison/run_comparison.hpp"
+#include "corticle/study/comparison/run_variation.hpp"
 #include "corticle/view/pictures.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
 
 namespace corticle::study
 {
@@ -23,6 +25,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* report_file = "report.md";
 constexpr const char* numbers_file = "comparison.json";
+constexpr const char* maps_file = "variation.vtp";
 
 bool is_folder(const std::string& path)
 {
@@ -62,7 +65,7 @@ fs::path chosen_folder(const ComparisonRequest& request)
         return request.out;
     }
     const std::string& other = request.others.front();
-    const std::string second = request.others.size() > 1 ? "real"
+    const std::string second = request.others.size() > 1 ? is_folder(other) ? "others" : "real"
                                : is_folder(other)        ? name_of(other)
                                                          : name_of(other.substr(0, other.rfind('@')));
     return fmt::format("compare_{}_{}", name_of(request.run.string()), second);
@@ -92,6 +95,11 @@ ComparisonOutcome write(record::ResultFolder& folder, const ComparisonRequest& r
         pictures.files = comparison_pictures(comparison);
         files.insert(files.end(), pictures.files.begin(), pictures.files.end());
     }
+    constexpr bool has_maps = std::is_same_v<Comparison, RunVariation>;
+    if constexpr (has_maps)
+    {
+        files.emplace_back(maps_file);
+    }
     folder.make();
     require_no_report(folder, request); // again: the comparison may have taken a while
     folder.require_free(files);
@@ -100,6 +108,10 @@ ComparisonOutcome write(record::ResultFolder& folder, const ComparisonRequest& r
     if (!pictures.files.empty())
     {
         draw_comparison(folder.path(), comparison);
+    }
+    if constexpr (has_maps)
+    {
+        write_variation(folder.path() / maps_file, comparison);
     }
     ComparisonOutcome outcome{folder.path(), comparison_json(comparison, pictures), comparison_summary(comparison),
                               pictures};
@@ -122,10 +134,19 @@ ComparisonOutcome compare(const ComparisonRequest& request)
         outcome.warnings = comparison.warnings();
         return outcome;
     }
+    const auto other = std::ranges::find_if_not(request.others, is_folder);
+    if (other != request.others.end())
+    {
+        throw InputError(
+            fmt::format("{}: not a folder, among run folders; expected other runs, or surfaces FILE@WEEK", *other));
+    }
     if (request.others.size() > 1)
     {
-        throw InputError(fmt::format("{}: a folder among {} arguments; expected one other run, or surfaces FILE@WEEK",
-                                     *run, request.others.size()));
+        std::vector<fs::path> folders{request.run};
+        folders.insert(folders.end(), request.others.begin(), request.others.end());
+        ComparisonOutcome outcome = write(folder, request, compare_many_runs(folders, request.picture_times));
+        outcome.has_page = false;
+        return outcome;
     }
     return write(folder, request, compare_runs({request.run, fs::path(*run)}, request.picture_times));
 }

@@ -14,11 +14,12 @@ namespace corticle::study
 struct ComparisonRequest
 {
     std::filesystem::path run;
-    std::vector<std::string> others;   ///< one run folder, or real surfaces, each FILE@WEEK or FILE@t=T
-    std::filesystem::path out;         ///< empty: compare_<run>_<other>, of the paths as they are given
-    bool overwrite = false;            ///< replace an earlier report in the folder
-    std::vector<double> picture_times; ///< growth times of the pictures [-]; empty: half and end
-    RealSurfaceOptions real;           ///< how real surfaces are read
+    std::vector<std::string> others; ///< run folders, or real surfaces, each FILE@WEEK or FILE@t=T
+    std::filesystem::path out;       ///< empty: compare_<run>_<other>, of the paths as they are given
+    bool overwrite = false;          ///< replace an earlier report in the folder
+    /// Growth times of the pictures [-]; empty: half and end. Of more than two runs: the one to compare them at.
+    std::vector<double> picture_times;
+    RealSurfaceOptions real; ///< how real surfaces are read
 };
 
 /// Pictures of a report.
@@ -36,10 +37,12 @@ struct ComparisonOutcome
     std::string summary;          ///< some lines for the terminal
     Pictures pictures;
     std::vector<std::string> warnings{}; ///< about real surfaces, one line each
+    bool has_page = true;                ///< whether `corticle report` can show it
 };
 
-/// Compares a run with another run, or with real surfaces: reads all, then writes report.md, comparison.json and
-/// pictures into the folder, each whole or not at all. The same input gives the same bytes.
+/// Compares a run with another run, with several of the same body, or with real surfaces: reads all, then writes
+/// report.md, comparison.json and pictures into the folder, each whole or not at all. The same input gives the same
+/// bytes.
 /// @throws InputError before anything is written; RunError when it cannot be written
 ComparisonOutcome compare(const ComparisonRequest& request);
 
