@@ -58,7 +58,7 @@ export class Viewer {
         this.bar = element("div", { class: "scale-bar" }, element("i"), element("span"));
         this.colorBar = element("div", { class: "color-bar" });
         this.names = element("div", { class: "pane-names" });
-        this.frame = element("div", { class: "stage" }, this.canvas, this.marks, this.bar, this.colorBar, this.names);
+        this.frame = element("div", { class: this.captions ? "stage captioned" : "stage" }, this.canvas, this.marks, this.bar, this.colorBar, this.names);
         this.player = new Player(allFrames(this.bodies), (t, place) => this.setTime(t, place));
         this.element = element("div", { class: "viewer" }, this.frame, this.player.bar);
     }
@@ -229,7 +229,9 @@ export class Viewer {
         const axis = Number(this.axisChoice.value);
         const { low, high } = this.stage.panes[0];
         const offset = low[axis] + Number(this.offset.value) * (high[axis] - low[axis]);
-        this.offsetText.textContent = `${"xyz"[axis]} = ${shown(Number(offset.toPrecision(3)), 3)} mm`;
+        const tissues = [this.bodies.some((body) => body.hasBoundary) ? "cortex red, white matter pale" : "",
+            this.bodies.every((body) => body.hasBoundary) ? "" : "grey where tissues are not known"].filter(Boolean).join(", ");
+        this.offsetText.textContent = `${"xyz"[axis]} = ${shown(Number(offset.toPrecision(3)), 3)} mm; section: ${tissues}`;
         return this.stage.update({ cut: { axis, offset, keep: this.keep } });
     }
 
@@ -271,13 +273,12 @@ export class Viewer {
     /** Gives the graphics memory back; the viewer is not used any more. */
     dispose() {
         this.player.stop();
-        this.stage?.renderer.forceContextLoss();
-        this.stage?.renderer.dispose();
+        this.stage?.dispose();
     }
 
     /** The picture as it stands, with marks, scale bar and colour bar, as a PNG. */
     async savePicture() {
-        this.stage.render();
+        this.stage.paint();
         const picture = this.picture();
         const blob = await new Promise((done) => picture.toBlob(done, "image/png"));
         const link = element("a", { href: URL.createObjectURL(blob), download: `${this.content.title}-${this.key}.png` });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from "node:assert/strict";
 import test from "node:test";
-import { bounds, firstHit, mixed, planeSegments, vertexNormals } from "../../viewer/geometry.mjs";
+import { bounds, firstHit, mixed, orientation, planeSegments, vertexNormals } from "../../viewer/geometry.mjs";
 import { markOf, scaleBar, views } from "../../viewer/anatomy.mjs";
 
 // A tetrahedron, outward.
@@ -12,6 +12,12 @@ test("normals point outward", () => {
     const n = vertexNormals(points, triangles);
     assert.ok(n[3] > 0 && n[7] > 0 && n[11] > 0 && n[0] < 0);
     assert.ok(Math.abs(Math.hypot(n[0], n[1], n[2]) - 1) < 1e-6);
+});
+
+test("a closed surface looks outward or inward, an open one neither", () => {
+    assert.equal(orientation(points, triangles), 1);
+    assert.equal(orientation(points, new Uint32Array(triangles).reverse()), -1);
+    assert.equal(orientation(points, triangles.slice(3)), 0);
 });
 
 test("a ray meets the nearest triangle that is shown", () => {
