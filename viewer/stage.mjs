@@ -12,6 +12,7 @@ const unknownColor = "#b4b4b4";
 const nothingCut = [0, 0, 0, 1];
 const missingValue = 1e30;
 const roomForBar = 112; // right of several panes
+const narrow = 500; // pixels
 const fine = 2; // pixels of the picture for one of the page, each way: edges come out smooth
 const coarse = 1;
 const restMs = 200; // without a change, until a coarse picture is drawn finely
@@ -73,6 +74,13 @@ class Section {
             this.cap.scale.set(4 * size, 4 * size, 1);
         }
     }
+}
+
+/** The number of columns that leaves each of `count` panes the most room. */
+export function roomiestColumns(count, width, height) {
+    const room = (columns) => Math.min(width / columns, height / Math.ceil(count / columns));
+    const choices = Array.from({ length: count }, (_, k) => k + 1);
+    return choices.reduce((best, columns) => (room(columns) > room(best) ? columns : best));
 }
 
 /** A body in its pane. */
@@ -205,7 +213,6 @@ export class Stage {
         this.controls.rotateSpeed = 0.8;
         this.controls.addEventListener("change", () => this.draw());
         this.state = { t: 0, key: "", which: "points", cut: null };
-        this.columns = 1;
         this.alone = null;
         this.turn = Promise.resolve();
     }
@@ -257,9 +264,12 @@ export class Stage {
         if (this.alone !== null) {
             return k === this.alone ? { x: 0, y: 0, width: this.width, height: this.height } : { x: 0, y: 0, width: 0, height: 0 };
         }
-        const rows = Math.ceil(this.panes.length / this.columns);
-        const width = Math.max(this.width - (this.panes.length > 1 ? roomForBar : 0), 1) / this.columns, height = this.height / rows;
-        return { x: (k % this.columns) * width, y: Math.floor(k / this.columns) * height, width, height };
+        const bar = this.panes.length > 1 ? roomForBar : 0;
+        const isNarrow = this.width < narrow; // a phone: the bar lies below
+        const roomWide = Math.max(this.width - (isNarrow ? 0 : bar), 1), roomHigh = Math.max(this.height - (isNarrow ? bar : 0), 1);
+        const columns = roomiestColumns(this.panes.length, roomWide, roomHigh);
+        const width = roomWide / columns, height = roomHigh / Math.ceil(this.panes.length / columns);
+        return { x: (k % columns) * width, y: Math.floor(k / columns) * height, width, height };
     }
 
     resize() {

@@ -207,6 +207,23 @@ SIDES = {"left": ("A", "P"), "right": ("P", "A"), "superior": ("L", "R"), "infer
          "posterior": ("L", "R"), "left-medial": ("P", "A"), "right-medial": ("A", "P")}
 
 
+def check_phone(bench, browser, what):
+    """A page as wide as a phone."""
+    browser.resize(390, 844, 2, True)
+    try:
+        width = browser.evaluate("document.documentElement.scrollWidth")
+        bench.check(width <= 390, f"{what}: the page is {width} pixels wide on a phone of 390")
+    finally:
+        browser.resize(1400, 1000)
+
+
+def check_print(bench, browser, what):
+    """What is printed has the sides of the picture, whatever the paper's are."""
+    browser.evaluate("dispatchEvent(new Event('beforeprint'))")
+    sides = browser.evaluate("[document.querySelector('.still canvas'), document.querySelector('.stage')].map((e) => (e.width || e.clientWidth) / (e.height || e.clientHeight))")
+    bench.check(abs(sides[0] - sides[1]) < 0.02, f"{what}: the printed picture has sides {sides[0]:.2f}, the shown one {sides[1]:.2f}")
+
+
 def sphere_page(bench, browser):
     folder = _runs.sphere(bench)
     check_text(bench, folder / "report.html", "sphere")
@@ -216,6 +233,7 @@ def sphere_page(bench, browser):
     browser.evaluate("document.querySelector('[data-view=oblique]').click()")
     check_time(bench, browser, "sphere")
     check_values(bench, browser, folder, "sphere")
+    check_print(bench, browser, "sphere")
     check_clean(bench, browser, "sphere, after use")
 
 
@@ -226,6 +244,7 @@ def brain_page(bench, browser):
     check_text(bench, folder / "report.html", "brain")
     check_views(bench, browser, "brain", SIDES)
     last = check_time(bench, browser, "brain")
+    check_phone(bench, browser, "brain")
     bench.check("week 27" in last, f"brain: the last time is {last!r}, expected week 27")
     check_clean(bench, browser, "brain, after use")
 

@@ -59,7 +59,8 @@ TEST(DrawnBoundary, IsEvenAndKeepsItsSize)
     }
     const double mean = sum / count;
     EXPECT_NEAR(mean, 2.5, 0.05); // 2 %; the filter hardly shrinks
-    // Given: scatter / sqrt(2), the root mean square of a sine. What changes from vertex to vertex goes, longer waves stay.
+    // Given: scatter / sqrt(2), the root mean square of a sine. What changes from vertex to vertex goes, longer waves
+    // stay.
     EXPECT_LT(std::sqrt(squares / count - mean * mean), 0.4 * scatter / std::sqrt(2.0));
 }
 

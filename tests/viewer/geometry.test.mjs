@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 import { bounds, firstHit, mixed, orientation, planeSegments, vertexNormals } from "../../viewer/geometry.mjs";
+import { roomiestColumns } from "../../viewer/stage.mjs";
 import { markOf, scaleBar, views } from "../../viewer/anatomy.mjs";
 
 // A tetrahedron, outward.
@@ -41,6 +42,13 @@ test("a plane cuts a closed line", () => {
 test("boxes and mixtures", () => {
     assert.deepEqual(bounds(points), { low: [0, 0, 0], high: [1, 1, 1] });
     assert.deepEqual([...mixed(new Float32Array([0, 2]), new Float32Array([1, 4]), 0.5)], [0.5, 3]);
+});
+
+test("panes lie where each has the most room", () => {
+    assert.equal(roomiestColumns(2, 860, 680), 2);
+    assert.equal(roomiestColumns(2, 376, 410), 1);
+    assert.equal(roomiestColumns(4, 860, 680), 2);
+    assert.equal(roomiestColumns(12, 860, 680), 4);
 });
 
 test("marks name the sides of a brain", () => {
