@@ -224,7 +224,9 @@ export class Viewer {
             return isShown ? this.stage.update({ cut: null }) : undefined;
         }
         this.offset.value = 0.5;
-        this.keep = this.isCutOfView ? this.keep : Number(axis) === 2 ? -1 : this.keep;
+        if (!this.isCutOfView) { // the section looks to the viewer
+            this.keep = this.stage.camera.position.getComponent(Number(axis)) > 0 ? -1 : 1;
+        }
         return this.moveCut();
     }
 

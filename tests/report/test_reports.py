@@ -202,6 +202,15 @@ def check_cut(bench, browser, what):
         bench.check(count > 150, f"{what}: the section shows {count} pixels of {name}")
 
 
+def check_turned_cut(bench, browser, what):
+    """A cut that is chosen shows its section to the viewer, wherever he looks from."""
+    for view in ("anterior", "posterior"):
+        browser.evaluate(f"document.querySelector('[data-view={view}]').click()")
+        keep = browser.evaluate("(corticleReport.viewer.setCutAxis('1'), corticleReport.viewer.stage.state.cut.keep)")
+        bench.check(keep == {"anterior": -1, "posterior": 1}[view], f"{what}, {view}: the cut keeps {keep}")
+    browser.evaluate("corticleReport.viewer.setCutAxis('')")
+
+
 PLAIN = {"left": ("+y", "−y"), "superior": ("−x", "+x"), "posterior": ("−x", "+x"), "left-medial": ("−y", "+y")}
 SIDES = {"left": ("A", "P"), "right": ("P", "A"), "superior": ("L", "R"), "inferior": ("R", "L"), "anterior": ("R", "L"),
          "posterior": ("L", "R"), "left-medial": ("P", "A"), "right-medial": ("A", "P")}
@@ -230,6 +239,7 @@ def sphere_page(bench, browser):
     open_page(bench, browser, folder / "report.html", "sphere", FIRST_PICTURE_S)
     check_views(bench, browser, "sphere", PLAIN)
     check_cut(bench, browser, "sphere")
+    check_turned_cut(bench, browser, "sphere")
     browser.evaluate("document.querySelector('[data-view=oblique]').click()")
     check_time(bench, browser, "sphere")
     check_values(bench, browser, folder, "sphere")
