@@ -54,7 +54,8 @@ export function bounds(points) {
 }
 
 /**
- * The first triangle on a ray: {triangle, distance, weights, point}, or null (Möller and Trumbore 1997).
+ * The first triangle on a ray: {triangle, distance, weights, point, isFront}, or null (Möller and Trumbore 1997). It is
+ * seen from its front where its corners run counter-clockwise.
  * isShown(x, y, z) leaves out what is cut away.
  */
 export function firstHit(points, triangles, origin, direction, isShown = () => true) {
@@ -82,7 +83,7 @@ export function firstHit(points, triangles, origin, direction, isShown = () => t
         }
         const point = [ox + distance * dx, oy + distance * dy, oz + distance * dz];
         if (isShown(...point)) {
-            best = { triangle: i / 3, distance, weights: [1 - u - v, u, v], point };
+            best = { triangle: i / 3, distance, weights: [1 - u - v, u, v], point, isFront: determinant > 0 };
         }
     }
     return best;

@@ -121,7 +121,8 @@ export class Pane {
         this.geometries.points.setIndex(index);
         this.geometries.boundary.setIndex(index);
         const { low, high } = await this.body.bounds();
-        this.whole.side = [THREE.BackSide, THREE.DoubleSide, THREE.FrontSide][orientation(await this.body.points(this.body.frames.length - 1), triangles) + 1];
+        this.orientation = orientation(await this.body.points(this.body.frames.length - 1), triangles);
+        this.whole.side = [THREE.BackSide, THREE.DoubleSide, THREE.FrontSide][this.orientation + 1];
         this.middle = low.map((value, c) => 0.5 * (value + high[c]));
         this.low = low;
         this.high = high;
@@ -183,7 +184,7 @@ export class Pane {
         }
     }
 
-    /** The vertex that a ray (in the scene) meets first; -1 where it meets none. */
+    /** The vertex that a ray (in the scene) meets first; -1 where it meets none, or the section: its first face is seen from inside. */
     async pick(origin, direction) {
         const triangles = await this.body.triangles();
         const points = mixed(this.points[0], this.points[1], this.place.blend);
@@ -191,7 +192,8 @@ export class Pane {
         const cut = this.cut;
         const isShown = (...point) => !cut || cut.keep * (point[cut.axis] - cut.offset) >= 0;
         const hit = firstHit(points, triangles, from, direction, isShown);
-        return hit ? triangles[3 * hit.triangle + hit.weights.indexOf(Math.max(...hit.weights))] : -1;
+        const isSection = hit && this.orientation !== 0 && hit.isFront !== this.orientation > 0;
+        return hit && !isSection ? triangles[3 * hit.triangle + hit.weights.indexOf(Math.max(...hit.weights))] : -1;
     }
 }
 

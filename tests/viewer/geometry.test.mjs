@@ -24,10 +24,12 @@ test("a closed surface looks outward or inward, an open one neither", () => {
 test("a ray meets the nearest triangle that is shown", () => {
     const hit = firstHit(points, triangles, [0.2, 0.2, 5], [0, 0, -1]);
     assert.equal(hit.triangle, 3);
+    assert.ok(hit.isFront);
     assert.ok(Math.abs(hit.point[2] - 0.6) < 1e-6);
     assert.ok(Math.abs(hit.weights.reduce((a, b) => a + b) - 1) < 1e-6);
     const behind = firstHit(points, triangles, [0.2, 0.2, 5], [0, 0, -1], (x, y, z) => z < 0.3);
     assert.equal(behind.triangle, 0);
+    assert.ok(!behind.isFront);
     assert.equal(firstHit(points, triangles, [2, 2, 5], [0, 0, -1]), null);
 });
 
