@@ -308,7 +308,8 @@ export class Stage {
 
     /** Draws what is there now: where the processor has to do it, coarsely, and finely once nothing changes. */
     render() {
-        this.paint(this.movingRatio);
+        const isSlow = this.movingRatio < fine && this.state.cut; // a section is drawn in six passes
+        this.paint(isSlow ? 0.5 * this.movingRatio : this.movingRatio);
         clearTimeout(this.rest);
         if (this.movingRatio < fine) {
             this.rest = setTimeout(() => this.paint(fine), restMs);
