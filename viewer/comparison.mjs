@@ -55,7 +55,7 @@ function realMeasures(content) {
 /** The panes of one pair, with outlines and distances. */
 function showPair(content, pair) {
     const bodies = pair.bodies.map((body) => new Body(body));
-    const { viewer, lead } = viewerOrPictures(content, bodies, { columns: 2, captions: bodies.map((body) => body.name) });
+    const { viewer, lead } = viewerOrPictures(content, bodies, { captions: bodies.map((body) => body.name) });
     const isDrawn = viewer instanceof Viewer;
     const picker = isDrawn ? new Picker(viewer) : null;
     const outlines = new Outlines(viewer, bodies);

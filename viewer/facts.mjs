@@ -34,8 +34,8 @@ export function caseSection(facts) {
         element("table", { class: "case" }, element("tbody", {}, rows.map((row) => element("tr", { class: row.changed ? "changed" : undefined },
             element("td", {}, element("code", {}, row.key)), element("td", {}, element("code", {}, row.value || "not given"), row.unit ? ` ${row.unit}` : ""),
             element("td", { class: "hint" }, row.sentence)))))));
-    const inputs = facts.inputs.length ? [element("h3", {}, "Input files"), table(["key", "file", "SHA-256"],
-        facts.inputs.map((input) => [input.key, input.file, element("code", { class: "hash" }, input.sha256)]))] : [];
+    const inputs = facts.inputs.length ? [element("h3", {}, "Input files"), element("div", { class: "scroll" }, table(["key", "file", "SHA-256"],
+        facts.inputs.map((input) => [input.key, input.file, element("code", { class: "hash" }, input.sha256)])))] : [];
     return section("Case", element("p", { class: "hint" }, "Every key with its value; those that differ from the default stand out."), tables, inputs);
 }
 

@@ -24,6 +24,24 @@ export function vertexNormals(points, triangles) {
     return normals;
 }
 
+/** 1 where the triangles of a closed surface look outward, -1 where they look inward, 0 where the surface is open. */
+export function orientation(points, triangles) {
+    const sum = [0, 0, 0]; // of the area vectors: 0 for a closed surface
+    let volume = 0, area = 0;
+    for (let i = 0; i < triangles.length; i += 3) {
+        const [a, b, c] = [3 * triangles[i], 3 * triangles[i + 1], 3 * triangles[i + 2]];
+        const ux = points[b] - points[a], uy = points[b + 1] - points[a + 1], uz = points[b + 2] - points[a + 2];
+        const vx = points[c] - points[a], vy = points[c + 1] - points[a + 1], vz = points[c + 2] - points[a + 2];
+        const nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
+        sum[0] += nx;
+        sum[1] += ny;
+        sum[2] += nz;
+        area += Math.hypot(nx, ny, nz);
+        volume += nx * points[a] + ny * points[a + 1] + nz * points[a + 2];
+    }
+    return Math.hypot(...sum) > 1e-3 * area ? 0 : Math.sign(volume);
+}
+
 /** Least and largest coordinates: {low: [x, y, z], high: [x, y, z]}. */
 export function bounds(points) {
     const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
@@ -36,7 +54,8 @@ export function bounds(points) {
 }
 
 /**
- * The first triangle on a ray: {triangle, distance, weights, point}, or null (Möller and Trumbore 1997).
+ * The first triangle on a ray: {triangle, distance, weights, point, isFront}, or null (Möller and Trumbore 1997). It is
+ * seen from its front where its corners run counter-clockwise.
  * isShown(x, y, z) leaves out what is cut away.
  */
 export function firstHit(points, triangles, origin, direction, isShown = () => true) {
@@ -64,7 +83,7 @@ export function firstHit(points, triangles, origin, direction, isShown = () => t
         }
         const point = [ox + distance * dx, oy + distance * dy, oz + distance * dz];
         if (isShown(...point)) {
-            best = { triangle: i / 3, distance, weights: [1 - u - v, u, v], point };
+            best = { triangle: i / 3, distance, weights: [1 - u - v, u, v], point, isFront: determinant > 0 };
         }
     }
     return best;

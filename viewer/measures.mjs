@@ -3,6 +3,7 @@
 import { capital, shown, withUnit } from "./numbers.mjs";
 import { element, legend, section } from "./elements.mjs";
 import { moveNow, plot } from "./plot.mjs";
+import { whenSeen } from "./player.mjs";
 
 const groups = ["Folds", "Size", "Tissue", "Energy and balance", "Steps and checks"];
 const energies = ["work_growth", "energy_elastic", "energy_dissipated", "energy_zero_mode", "energy_kinetic", "energy_contact"];
@@ -46,7 +47,11 @@ export function linkedPlot(viewer, axis, title, columns, sentence, size, hasLege
             viewer?.player.goTo((columns[curve].t || axis.t)[index]);
         }
     });
-    viewer?.onTime((t) => moveNow(picture, frame, placeOnAxis(axis, t)));
+    if (viewer) {
+        whenSeen(figure, viewer, (t) => moveNow(picture, frame, placeOnAxis(axis, t)));
+    } else {
+        picture.querySelector(".now").remove();
+    }
     return figure;
 }
 

@@ -5,6 +5,7 @@ import { escaped } from "./plot.mjs";
 import { mixed, planeSegments } from "./geometry.mjs";
 import { placeInTimes } from "./body.mjs";
 import { roundStep, shown } from "./numbers.mjs";
+import { whenSeen } from "./player.mjs";
 
 const size = 460;
 
@@ -40,7 +41,7 @@ export class Outlines {
         const slider = element("input", { type: "range", min: 0.02, max: 0.98, step: 0.005, value: 0.5, "aria-label": "Place of the plane",
             oninput: (event) => { this.share = Number(event.target.value); this.draw(); } });
         this.element = element("div", { class: "outline-box" }, this.picture, element("div", {}, field("Plane", axis), slider, this.text));
-        viewer.onTime((t) => this.draw(t));
+        whenSeen(this.element, viewer, (t) => this.draw(t));
     }
 
     async draw(t = this.viewer.player.t) {

@@ -14,6 +14,25 @@ export function timeText(frames, place) {
     return `${week}t = ${shown(between("t"), 3)}`;
 }
 
+/** Follows the time of a viewer while an element is on the screen: fifty plots that nobody sees cost nothing. */
+export function whenSeen(seen, viewer, follow) {
+    let isSeen = false, last = null;
+    addEventListener("beforeprint", () => follow(last));
+    const observer = new IntersectionObserver((entries) => {
+        isSeen = entries.at(-1).isIntersecting;
+        if (isSeen) {
+            follow(last);
+        }
+    });
+    observer.observe(seen);
+    viewer.onTime((t) => {
+        last = t;
+        if (isSeen) {
+            follow(t);
+        }
+    });
+}
+
 /** Output times with a slider; onTime(t, place) is called when the time changes. */
 export class Player {
     /** @param frames  [{t, week}], t ascends */

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bodies drawn with three.js (the global THREE), one pane each, all seen by one camera.
 import { paletteBytes } from "./colors.mjs";
-import { firstHit, mixed } from "./geometry.mjs";
+import { firstHit, mixed, orientation } from "./geometry.mjs";
 import { placeInTimes } from "./body.mjs";
 import { views } from "./anatomy.mjs";
 import { countFragmentShader, surfaceFragmentShader, surfaceVertexShader } from "./shaders.mjs";
 
 const cortexColor = "#c4604f";
 const whiteColor = "#e9e6df";
+const unknownColor = "#b4b4b4";
 const nothingCut = [0, 0, 0, 1];
 const missingValue = 1e30;
 const roomForBar = 112; // right of several panes
+const narrow = 500; // pixels
+const fine = 2; // pixels of the picture for one of the page, each way: edges come out smooth
+const coarse = 1;
+const restMs = 200; // without a change, until a coarse picture is drawn finely
 
 /** Why a browser cannot draw; empty where it can. */
 export function reasonForNoWebGL() {
@@ -20,6 +25,13 @@ export function reasonForNoWebGL() {
     } catch (error) {
         return error.message;
     }
+}
+
+/** Whether the processor draws, for want of a graphics card: its time goes with the number of pixels. */
+function isSoftware(context) {
+    const info = context.getExtension("WEBGL_debug_renderer_info");
+    const name = context.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : context.RENDERER);
+    return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
 }
 
 function countMaterial(uniforms, side, operation) {
@@ -64,6 +76,13 @@ class Section {
     }
 }
 
+/** The number of columns that leaves each of `count` panes the most room. */
+export function roomiestColumns(count, width, height) {
+    const room = (columns) => Math.min(width / columns, height / Math.ceil(count / columns));
+    const choices = Array.from({ length: count }, (_, k) => k + 1);
+    return choices.reduce((best, columns) => (room(columns) > room(best) ? columns : best));
+}
+
 /** A body in its pane. */
 export class Pane {
     constructor(body, shared) {
@@ -74,14 +93,16 @@ export class Pane {
         this.scene.add(this.group);
         this.geometries = { points: new THREE.BufferGeometry(), boundary: new THREE.BufferGeometry() };
         this.uniforms = { blend: { value: 0 }, cut: { value: new THREE.Vector4(...nothingCut) }, palette: shared.palette,
-            range: shared.range, plain: { value: false } };
+            range: shared.range };
         this.attributes = new WeakMap();
-        this.surface = new THREE.Mesh(this.geometries.points, new THREE.ShaderMaterial({ uniforms: this.uniforms,
-            vertexShader: surfaceVertexShader, fragmentShader: surfaceFragmentShader, side: THREE.DoubleSide }));
+        const shaders = { uniforms: this.uniforms, vertexShader: surfaceVertexShader, fragmentShader: surfaceFragmentShader };
+        this.whole = new THREE.ShaderMaterial(shaders);
+        this.open = new THREE.ShaderMaterial({ ...shaders, side: THREE.DoubleSide, defines: { CUT: "" } });
+        this.surface = new THREE.Mesh(this.geometries.points, this.open);
         this.surface.renderOrder = 5;
         this.surface.frustumCulled = false;
         this.group.add(this.surface);
-        this.sections = { points: new Section(this.group, this.geometries.points, this.uniforms, cortexColor, 1) };
+        this.sections = { points: new Section(this.group, this.geometries.points, this.uniforms, body.hasBoundary ? cortexColor : unknownColor, 1) };
         if (body.hasBoundary) {
             this.sections.boundary = new Section(this.group, this.geometries.boundary, this.uniforms, whiteColor, 3);
         }
@@ -100,6 +121,8 @@ export class Pane {
         this.geometries.points.setIndex(index);
         this.geometries.boundary.setIndex(index);
         const { low, high } = await this.body.bounds();
+        this.orientation = orientation(await this.body.points(this.body.frames.length - 1), triangles);
+        this.whole.side = [THREE.BackSide, THREE.DoubleSide, THREE.FrontSide][this.orientation + 1];
         this.middle = low.map((value, c) => 0.5 * (value + high[c]));
         this.low = low;
         this.high = high;
@@ -133,6 +156,8 @@ export class Pane {
         this.place = { a, b, blend };
         this.uniforms.blend.value = blend;
         this.surface.geometry = this.geometries[surface];
+        // The far side of a whole closed surface is hidden: not to draw it halves the work.
+        this.surface.material = surface === "points" && !cut ? this.whole : this.open;
         this.points = [await this.body.points(a, surface), await this.body.points(b, surface)];
         this.setCut(cut);
         this.placeMarker();
@@ -159,7 +184,7 @@ export class Pane {
         }
     }
 
-    /** The vertex that a ray (in the scene) meets first; -1 where it meets none. */
+    /** The vertex that a ray (in the scene) meets first; -1 where it meets none, or the section: its first face is seen from inside. */
     async pick(origin, direction) {
         const triangles = await this.body.triangles();
         const points = mixed(this.points[0], this.points[1], this.place.blend);
@@ -167,7 +192,8 @@ export class Pane {
         const cut = this.cut;
         const isShown = (...point) => !cut || cut.keep * (point[cut.axis] - cut.offset) >= 0;
         const hit = firstHit(points, triangles, from, direction, isShown);
-        return hit ? triangles[3 * hit.triangle + hit.weights.indexOf(Math.max(...hit.weights))] : -1;
+        const isSection = hit && this.orientation !== 0 && hit.isFront !== this.orientation > 0;
+        return hit && !isSection ? triangles[3 * hit.triangle + hit.weights.indexOf(Math.max(...hit.weights))] : -1;
     }
 }
 
@@ -176,7 +202,8 @@ export class Stage {
     constructor(canvas, bodies, onDraw) {
         this.canvas = canvas;
         this.onDraw = onDraw;
-        this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, stencil: true, preserveDrawingBuffer: true });
+        this.renderer = new THREE.WebGLRenderer({ canvas, stencil: true, preserveDrawingBuffer: true });
+        this.movingRatio = isSoftware(this.renderer.getContext()) ? coarse : fine;
         this.renderer.setClearColor(0xffffff, 1);
         this.renderer.clear();
         this.shared = { palette: { value: null }, range: { value: new THREE.Vector2(0, 1) } };
@@ -188,7 +215,6 @@ export class Stage {
         this.controls.rotateSpeed = 0.8;
         this.controls.addEventListener("change", () => this.draw());
         this.state = { t: 0, key: "", which: "points", cut: null };
-        this.columns = 1;
         this.alone = null;
         this.turn = Promise.resolve();
     }
@@ -217,7 +243,7 @@ export class Stage {
 
     setColors(table, low, high) {
         const texture = new THREE.DataTexture(paletteBytes(table), 256, 1, THREE.RGBAFormat);
-        texture.magFilter = texture.minFilter = THREE.LinearFilter;
+        texture.magFilter = texture.minFilter = THREE.NearestFilter;
         texture.needsUpdate = true;
         this.shared.palette.value = texture;
         this.shared.range.value.set(low, high);
@@ -240,19 +266,20 @@ export class Stage {
         if (this.alone !== null) {
             return k === this.alone ? { x: 0, y: 0, width: this.width, height: this.height } : { x: 0, y: 0, width: 0, height: 0 };
         }
-        const rows = Math.ceil(this.panes.length / this.columns);
-        const width = (this.width - (this.panes.length > 1 ? roomForBar : 0)) / this.columns, height = this.height / rows;
-        return { x: (k % this.columns) * width, y: Math.floor(k / this.columns) * height, width, height };
+        const bar = this.panes.length > 1 ? roomForBar : 0;
+        const isNarrow = this.width < narrow; // a phone: the bar lies below
+        const roomWide = Math.max(this.width - (isNarrow ? 0 : bar), 1), roomHigh = Math.max(this.height - (isNarrow ? bar : 0), 1);
+        const columns = roomiestColumns(this.panes.length, roomWide, roomHigh);
+        const width = roomWide / columns, height = roomHigh / Math.ceil(this.panes.length / columns);
+        return { x: (k % columns) * width, y: Math.floor(k / columns) * height, width, height };
     }
 
     resize() {
         const box = this.canvas.parentElement.getBoundingClientRect();
         this.width = Math.max(Math.round(box.width), 50);
         this.height = Math.max(Math.round(box.height), 50);
-        this.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
-        this.renderer.setSize(this.width, this.height, false);
         const { width, height } = this.rectangle(this.alone ?? 0);
-        const half = 0.74 * this.radius * Math.max(1, height / width);
+        const half = (this.panes.length > 1 ? 0.82 : 0.74) * this.radius * Math.max(1, height / width);
         Object.assign(this.camera, { top: half, bottom: -half, left: (-half * width) / height, right: (half * width) / height });
         this.camera.updateProjectionMatrix();
         this.draw();
@@ -279,14 +306,27 @@ export class Stage {
         }
     }
 
+    /** Draws what is there now: where the processor has to do it, coarsely, and finely once nothing changes. */
     render() {
-        if (!this.panes.every((pane) => pane.points)) {
-            this.renderer.setScissorTest(false);
-            this.renderer.clear();
-            return;
+        const isSlow = this.movingRatio < fine && this.state.cut; // a section is drawn in six passes
+        this.paint(isSlow ? 0.5 * this.movingRatio : this.movingRatio);
+        clearTimeout(this.rest);
+        if (this.movingRatio < fine) {
+            this.rest = setTimeout(() => this.paint(fine), restMs);
+        }
+    }
+
+    paint(ratio = fine) {
+        if (this.renderer.getPixelRatio() !== ratio || this.painted !== `${this.width} ${this.height}`) {
+            this.painted = `${this.width} ${this.height}`;
+            this.renderer.setPixelRatio(ratio);
+            this.renderer.setSize(this.width, this.height, false);
         }
         this.renderer.setScissorTest(false);
         this.renderer.clear();
+        if (!this.panes.every((pane) => pane.points)) {
+            return;
+        }
         this.renderer.setScissorTest(true);
         this.panes.forEach((pane, k) => {
             const { x, y, width, height } = this.rectangle(k);
@@ -298,6 +338,12 @@ export class Stage {
             this.renderer.render(pane.scene, this.camera);
         });
         this.onDraw?.(this);
+    }
+
+    dispose() {
+        clearTimeout(this.rest);
+        this.renderer.forceContextLoss();
+        this.renderer.dispose();
     }
 
     /** What lies under a place of the canvas (CSS pixels): {pane, vertex}, or null. */

@@ -22,11 +22,6 @@ export function sortedOrder(values, isDescending) {
     });
 }
 
-/** Columns for a grid of so many panes: wider than high. */
-export function gridColumns(count) {
-    return Math.max(1, Math.ceil(Math.sqrt(1.6 * count)));
-}
-
 function labelOf(content, key) {
     return content.labels[key] || key.replaceAll("_", " ");
 }
@@ -102,7 +97,6 @@ class AxisPlot {
 
 export async function showSweep(content, main) {
     const bodies = content.bodies.map((body) => new Body(body));
-    const columns = gridColumns(bodies.length);
     const state = { bodies, selected: -1 };
     const parts = [];
     const select = (k) => {
@@ -117,7 +111,7 @@ export async function showSweep(content, main) {
     state.select = select;
     if (bodies.length) {
         const runOf = (body) => content.runs.findIndex((run) => run.body === body);
-        const { viewer, lead } = viewerOrPictures(content, bodies, { columns, captions: bodies.map((body) => body.name), onName: (k) => { select(runOf(k)); viewer.focus(k); } });
+        const { viewer, lead } = viewerOrPictures(content, bodies, { captions: bodies.map((body) => body.name), onName: (k) => { select(runOf(k)); viewer.focus(k); } });
         state.viewer = viewer;
         const isDrawn = viewer instanceof Viewer;
         parts.push(element("div", { class: isDrawn ? "look" : "" }, lead, isDrawn ? element("aside", { class: "side" },

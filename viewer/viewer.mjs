@@ -31,7 +31,7 @@ export function symmetric([low, high]) {
 
 /** The bodies of a page, to be looked at. */
 export class Viewer {
-    constructor(content, bodies, { columns = 1, captions = null, onName = null } = {}) {
+    constructor(content, bodies, { captions = null, onName = null } = {}) {
         this.content = content;
         this.bodies = bodies;
         this.isBrain = bodies.every((body) => body.isBrain);
@@ -42,7 +42,6 @@ export class Viewer {
         this.rule = "robust";
         this.captions = captions;
         this.onName = onName;
-        this.columns = columns;
         this.listeners = [];
         this.makeStage();
         this.makeControls();
@@ -58,9 +57,10 @@ export class Viewer {
         this.bar = element("div", { class: "scale-bar" }, element("i"), element("span"));
         this.colorBar = element("div", { class: "color-bar" });
         this.names = element("div", { class: "pane-names" });
-        this.frame = element("div", { class: "stage" }, this.canvas, this.marks, this.bar, this.colorBar, this.names);
+        this.frame = element("div", { class: this.captions ? "stage captioned" : "stage" }, this.canvas, this.marks, this.bar, this.colorBar, this.names);
         this.player = new Player(allFrames(this.bodies), (t, place) => this.setTime(t, place));
-        this.element = element("div", { class: "viewer" }, this.frame, this.player.bar);
+        this.still = element("div", { class: "still" }); // what is printed: the page's own box has other sides on paper
+        this.element = element("div", { class: "viewer" }, this.frame, this.still, this.player.bar);
     }
 
     makeControls() {
@@ -94,13 +94,16 @@ export class Viewer {
 
     async start() {
         this.stage = new Stage(this.canvas, this.bodies, () => this.drawOver());
-        this.stage.columns = this.columns;
         await this.stage.start();
         this.setCutAxis("", false);
         this.setScalar(this.key, false);
         this.setView("oblique");
         await this.player.go(this.player.place);
-        new ResizeObserver(() => this.stage.resize()).observe(this.frame);
+        const observer = new ResizeObserver(() => this.stage.resize());
+        observer.observe(this.frame);
+        this.ending = new AbortController();
+        this.ending.signal.addEventListener("abort", () => observer.disconnect());
+        addEventListener("beforeprint", () => this.still.replaceChildren(this.picture()), { signal: this.ending.signal });
         this.addKeys();
     }
 
@@ -128,7 +131,7 @@ export class Viewer {
                 event.preventDefault();
                 action();
             }
-        });
+        }, { signal: this.ending.signal });
     }
 
     onTime(listener) {
@@ -221,7 +224,9 @@ export class Viewer {
             return isShown ? this.stage.update({ cut: null }) : undefined;
         }
         this.offset.value = 0.5;
-        this.keep = this.isCutOfView ? this.keep : Number(axis) === 2 ? -1 : this.keep;
+        if (!this.isCutOfView) { // the section looks to the viewer
+            this.keep = this.stage.camera.position.getComponent(Number(axis)) > 0 ? -1 : 1;
+        }
         return this.moveCut();
     }
 
@@ -229,7 +234,9 @@ export class Viewer {
         const axis = Number(this.axisChoice.value);
         const { low, high } = this.stage.panes[0];
         const offset = low[axis] + Number(this.offset.value) * (high[axis] - low[axis]);
-        this.offsetText.textContent = `${"xyz"[axis]} = ${shown(Number(offset.toPrecision(3)), 3)} mm`;
+        const tissues = [this.bodies.some((body) => body.hasBoundary) ? "cortex red, white matter pale" : "",
+            this.bodies.every((body) => body.hasBoundary) ? "" : "grey where tissues are not known"].filter(Boolean).join(", ");
+        this.offsetText.textContent = `${"xyz"[axis]} = ${shown(Number(offset.toPrecision(3)), 3)} mm; section: ${tissues}`;
         return this.stage.update({ cut: { axis, offset, keep: this.keep } });
     }
 
@@ -271,13 +278,12 @@ export class Viewer {
     /** Gives the graphics memory back; the viewer is not used any more. */
     dispose() {
         this.player.stop();
-        this.stage?.renderer.forceContextLoss();
-        this.stage?.renderer.dispose();
+        this.ending?.abort();
+        this.stage?.dispose();
     }
 
     /** The picture as it stands, with marks, scale bar and colour bar, as a PNG. */
     async savePicture() {
-        this.stage.render();
         const picture = this.picture();
         const blob = await new Promise((done) => picture.toBlob(done, "image/png"));
         const link = element("a", { href: URL.createObjectURL(blob), download: `${this.content.title}-${this.key}.png` });
@@ -286,6 +292,7 @@ export class Viewer {
     }
 
     picture() {
+        this.stage.paint();
         const ratio = this.canvas.width / this.stage.width;
         const picture = element("canvas", { width: this.canvas.width, height: this.canvas.height });
         const draw = picture.getContext("2d");
@@ -296,7 +303,7 @@ export class Viewer {
         draw.textAlign = "center";
         draw.textBaseline = "middle";
         draw.font = "600 15px sans-serif";
-        [[width / 2, 18], [width / 2, height - 18], [18, height / 2], [width - 110, height / 2]].forEach(([x, y], k) => draw.fillText(this.sides[k], x, y));
+        [[width / 2, this.captions ? 42 : 18], [width / 2, height - 18], [18, height / 2], [width - 110, height / 2]].forEach(([x, y], k) => draw.fillText(this.sides[k], x, y));
         draw.font = "13px sans-serif";
         draw.fillRect(20, height - 24, this.scale.pixels, 3);
         draw.fillText(`${shown(this.scale.length)} mm`, 20 + this.scale.pixels / 2, height - 36);
@@ -313,7 +320,19 @@ export class Viewer {
         draw.textAlign = "right";
         draw.fillText(capital(withUnit(this.scalar().label, this.scalar().unit)), width - 12, top - 16);
         draw.textAlign = "left";
-        draw.fillText(this.player.text.textContent, 20, 22);
+        this.drawNames(draw);
         return picture;
+    }
+
+    /** Names of the panes, or the time of the only one. */
+    drawNames(draw) {
+        draw.textBaseline = "top";
+        draw.font = "600 13px sans-serif";
+        (this.captions || [this.player.text.textContent]).forEach((name, k) => {
+            const box = this.stage.rectangle(k);
+            if (box.width) {
+                draw.fillText(name, box.x + (this.captions ? 8 : 20), box.y + (this.captions ? 6 : 14), box.width - 16);
+            }
+        });
     }
 }

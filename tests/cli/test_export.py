@@ -73,6 +73,7 @@ def formats(bench):
     bench.check(numpy.array_equal(got_points, single), "GIFTI: coordinates differ")
     bench.check(numpy.array_equal(got_triangles, triangles), "GIFTI: triangles differ")
     bench.check(surface.meta["AnatomicalStructurePrimary"] == "CortexRight", f"GIFTI: metadata {surface.meta}")
+    bench.check(surface.darrays[1].meta["TopologicalType"] == "Closed", f"GIFTI: {surface.darrays[1].meta}")
     space = surface.darrays[0].coordsys
     bench.check(space.dataspace == 1 and numpy.array_equal(space.xform, numpy.eye(4)), "GIFTI: not in scanner space")
     scalars = [name for name in properties if name not in "xyz"]
@@ -115,6 +116,7 @@ def hemispheres(bench, points, triangles, arrays):
         half, faces = surface.agg_data(("pointset", "triangle"))
         bench.check(half.dtype == numpy.float32 and faces.dtype == numpy.int32, f"{letter}: {half.dtype}, {faces.dtype}")
         bench.check(surface.meta["AnatomicalStructurePrimary"] == structure, f"{letter}: metadata {surface.meta}")
+        bench.check(surface.darrays[1].meta["TopologicalType"] == "Open", f"{letter}: {surface.darrays[1].meta}")
         centers = half[faces].mean(axis=1)[:, 0]
         bench.check(numpy.all((centers < middle) == (letter == "L")), f"{letter}: a triangle lies on the other side")
         corners.append(half[faces])

@@ -64,6 +64,23 @@ class Browser:
             self.process.wait()
         self.profile.cleanup()
 
+    def processor_seconds(self):
+        """Time that the processors have spent on the browser, in all of its processes; None where it is not known."""
+        if not os.path.exists("/proc/self/stat"):
+            return None
+        parents, spent = {}, {}
+        for number in filter(str.isdigit, os.listdir("/proc")):
+            try:
+                with open(f"/proc/{number}/stat", encoding="utf-8", errors="replace") as stream:
+                    fields = stream.read().rpartition(")")[2].split()
+            except OSError:
+                continue  # it has ended
+            parents[int(number)], spent[int(number)] = int(fields[1]), int(fields[11]) + int(fields[12])
+        family = {self.process.pid}
+        while more := {child for child, parent in parents.items() if parent in family} - family:
+            family |= more
+        return sum(spent[number] for number in family if number in spent) / os.sysconf("SC_CLK_TCK")
+
     def forget(self):
         self.problems, self.requests, self.loaded = [], [], False
 

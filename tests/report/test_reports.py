@@ -5,6 +5,7 @@ no error, nothing loaded, every view a coloured picture with marks, time limits,
 import csv
 import os
 import re
+import statistics
 import struct
 import sys
 import time
@@ -20,6 +21,7 @@ FIRST_PICTURE_S = 2.0
 FRAME_MS = 100.0
 LARGE_PICTURE_S = 10.0  # of five times as many vertices, without a graphics card
 LARGE_FRAME_MS = 500.0
+PROCESSORS = 2  # that draw a frame together
 EVIL = "<script>alert(1)</script>"
 
 
@@ -84,35 +86,53 @@ def check_views(bench, browser, what, marks):
     bench.check("mm" in browser.evaluate("document.querySelector('.scale-bar').textContent"), f"{what}: no scale bar")
 
 
+SLIDER_PASS = """(async () => {
+    const slider = document.querySelector('.slider'), { stage } = corticleReport.viewer, times = [];
+    const gl = stage.renderer.getContext();
+    const drawn = () => gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)); // waits for the picture
+    for (let k = 0; k <= slider.max; ++k) {
+        const began = performance.now();
+        slider.value = k;
+        slider.dispatchEvent(new Event('input'));
+        await stage.turn;
+        drawn();
+        times.push(performance.now() - began);
+        await new Promise(requestAnimationFrame);
+    }
+    return times;
+})()"""
+
+
+def slider_passes(browser):
+    """Three passes of the slider: the milliseconds of every frame, from its event to the drawn picture, and those that the
+    processors spent on a frame. Nothing is drawn or sent to graphics memory before, and the page is composed between frames,
+    as for a reader who drags."""
+    passes, spent = [], []
+    for _ in range(3):
+        time.sleep(1.0)  # until what came before is drawn
+        before = browser.processor_seconds()
+        passes.append(browser.evaluate(SLIDER_PASS, 180))
+        if before is not None:
+            spent.append(1000 * (browser.processor_seconds() - before) / len(passes[-1]))
+    return passes, spent
+
+
 def check_time(bench, browser, what, limit=FRAME_MS):
-    """The slider and the keys move the time; a frame takes less than the limit once it is unpacked."""
+    """The slider and the keys move the time; in the best of three passes (what else the machine does makes times longer,
+    never shorter) every frame takes less than the limit. Where the machine is busy, the processors' time has to do."""
     browser.wait_for("document.documentElement.dataset.complete === 'true'", 60)
     browser.key("Home")
     first = browser.evaluate("document.querySelector('.time').textContent")
-    milliseconds = browser.evaluate("""(async () => {
-        const slider = document.querySelector('.slider'), times = [];
-        const gl = corticleReport.viewer.stage.renderer.getContext();
-        const drawn = () => gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)); // waits for the picture
-        for (let k = 0; k <= slider.max; ++k) { // each once before, so that arrays lie in graphics memory
-            await corticleReport.viewer.player.go(k);
-        }
-        drawn();
-        for (let pass = 0; pass < 3; ++pass) { // what else the machine does makes times longer, never shorter
-            for (let k = 0; k <= slider.max; ++k) {
-                const began = performance.now();
-                slider.value = k;
-                slider.dispatchEvent(new Event('input'));
-                await corticleReport.viewer.stage.turn;
-                drawn();
-                times[k] = Math.min(times[k] ?? Infinity, performance.now() - began);
-            }
-        }
-        return Math.max(...times);
-    })()""", 180)
+    passes, spent = slider_passes(browser)
     last = browser.evaluate("document.querySelector('.time').textContent")
-    print(f"{what}: a frame takes at most {milliseconds:.0f} ms; {first} to {last}")
+    medians, worst = [statistics.median(times) for times in passes], [max(times) for times in passes]
+    numbers = lambda times: ", ".join(f"{milliseconds:.0f}" for milliseconds in times)
+    print(f"{what}: {len(passes[0])} frames from {first} to {last}, passes with median {numbers(medians)} ms, worst {numbers(worst)} ms, "
+          f"processors {numbers(spent)} ms a frame")
     bench.check(first != last, f"{what}: the slider changes nothing: {first}")
-    check_limit(bench, f"{what}: a frame of the slider", milliseconds, limit)
+    check_limit(bench, f"{what}: half of the frames of the slider", min(medians), limit)
+    check_limit(bench, f"{what}: the slowest frame of the slider", min(worst), limit)
+    bench.check(not spent or min(spent) < PROCESSORS * limit, f"{what}: a frame takes {min(spent, default=0):.0f} ms of the processors")
     browser.key("ArrowLeft")
     bench.check(browser.evaluate("document.querySelector('.time').textContent") not in (last, ""), f"{what}: the left key changes nothing")
     browser.key("End")
@@ -182,9 +202,35 @@ def check_cut(bench, browser, what):
         bench.check(count > 150, f"{what}: the section shows {count} pixels of {name}")
 
 
+def check_turned_cut(bench, browser, what):
+    """A cut that is chosen shows its section to the viewer, wherever he looks from."""
+    for view in ("anterior", "posterior"):
+        browser.evaluate(f"document.querySelector('[data-view={view}]').click()")
+        keep = browser.evaluate("(corticleReport.viewer.setCutAxis('1'), corticleReport.viewer.stage.state.cut.keep)")
+        bench.check(keep == {"anterior": -1, "posterior": 1}[view], f"{what}, {view}: the cut keeps {keep}")
+    browser.evaluate("corticleReport.viewer.setCutAxis('')")
+
+
 PLAIN = {"left": ("+y", "−y"), "superior": ("−x", "+x"), "posterior": ("−x", "+x"), "left-medial": ("−y", "+y")}
 SIDES = {"left": ("A", "P"), "right": ("P", "A"), "superior": ("L", "R"), "inferior": ("R", "L"), "anterior": ("R", "L"),
          "posterior": ("L", "R"), "left-medial": ("P", "A"), "right-medial": ("A", "P")}
+
+
+def check_phone(bench, browser, what):
+    """A page as wide as a phone."""
+    browser.resize(390, 844, 2, True)
+    try:
+        width = browser.evaluate("document.documentElement.scrollWidth")
+        bench.check(width <= 390, f"{what}: the page is {width} pixels wide on a phone of 390")
+    finally:
+        browser.resize(1400, 1000)
+
+
+def check_print(bench, browser, what):
+    """What is printed has the sides of the picture, whatever the paper's are."""
+    browser.evaluate("dispatchEvent(new Event('beforeprint'))")
+    sides = browser.evaluate("[document.querySelector('.still canvas'), document.querySelector('.stage')].map((e) => (e.width || e.clientWidth) / (e.height || e.clientHeight))")
+    bench.check(abs(sides[0] - sides[1]) < 0.02, f"{what}: the printed picture has sides {sides[0]:.2f}, the shown one {sides[1]:.2f}")
 
 
 def sphere_page(bench, browser):
@@ -193,9 +239,11 @@ def sphere_page(bench, browser):
     open_page(bench, browser, folder / "report.html", "sphere", FIRST_PICTURE_S)
     check_views(bench, browser, "sphere", PLAIN)
     check_cut(bench, browser, "sphere")
+    check_turned_cut(bench, browser, "sphere")
     browser.evaluate("document.querySelector('[data-view=oblique]').click()")
     check_time(bench, browser, "sphere")
     check_values(bench, browser, folder, "sphere")
+    check_print(bench, browser, "sphere")
     check_clean(bench, browser, "sphere, after use")
 
 
@@ -206,28 +254,51 @@ def brain_page(bench, browser):
     check_text(bench, folder / "report.html", "brain")
     check_views(bench, browser, "brain", SIDES)
     last = check_time(bench, browser, "brain")
+    check_phone(bench, browser, "brain")
     bench.check("week 27" in last, f"brain: the last time is {last!r}, expected week 27")
     check_clean(bench, browser, "brain, after use")
 
 
-def large_page(bench, browser):
-    """100,000 vertices at 16 weeks: all of them in a page of less than 40 MB, and still to be used."""
+def heavy_page(bench, browser, what, vertices, picture_s, frame_ms):
+    """So many vertices at 16 weeks: all of them in a page of less than 40 MB, and quick enough to be used."""
     try:
         import numpy
     except ImportError as error:
-        print(f"the large page is left out: {error} (python3-numpy brings it)")
+        print(f"the {what} page is left out: {error} (python3-numpy brings it)")
         return
     folder = _runs.weeks(bench)
-    count = _heavy.enlarge(numpy, folder, 100_000)
+    count = _heavy.enlarge(numpy, folder, vertices)
     bench.accepted("report", folder, timeout=300)
     megabytes = (folder / "report.html").stat().st_size / 1e6
-    bench.check(megabytes < 40, f"large: {megabytes:.1f} MB")
-    open_page(bench, browser, folder / "report.html", "large", LARGE_PICTURE_S)
+    bench.check(megabytes < 40, f"{what}: {megabytes:.1f} MB")
+    open_page(bench, browser, folder / "report.html", what, picture_s)
     shape = browser.evaluate("[corticleReport.bodies[0].frames.length, corticleReport.bodies[0].content.vertices]")
-    bench.check(shape == [16, count] and count >= 100_000, f"large: {shape} times and vertices, expected {[16, count]}")
-    check_time(bench, browser, "large", LARGE_FRAME_MS)
-    check_views(bench, browser, "large", {"left": ("A", "P")})
-    check_clean(bench, browser, "large")
+    bench.check(shape == [16, count] and count >= vertices, f"{what}: {shape} times and vertices, expected {[16, count]}")
+    check_time(bench, browser, what, frame_ms)
+    check_rest(bench, browser, what)
+    check_views(bench, browser, what, {"left": ("A", "P")})
+    check_clean(bench, browser, what)
+
+
+def check_rest(bench, browser, what):
+    """Without a graphics card the picture is coarse while it moves and fine once it rests."""
+    widths = browser.evaluate("""(async () => {
+        const { viewer } = corticleReport, found = [];
+        await viewer.player.go(1);
+        found.push(viewer.canvas.width / viewer.stage.width);
+        await new Promise((done) => setTimeout(done, 1000));
+        return [...found, viewer.canvas.width / viewer.stage.width];
+    })()""")
+    bench.check(widths == [1, 2], f"{what}: {widths} pixels of the picture for one of the page, expected 1 moving and 2 at rest")
+
+
+def middle_page(bench, browser):
+    """The size at which a page has to be smooth."""
+    heavy_page(bench, browser, "20,000 vertices", 20_000, FIRST_PICTURE_S, FRAME_MS)
+
+
+def large_page(bench, browser):
+    heavy_page(bench, browser, "100,000 vertices", 100_000, LARGE_PICTURE_S, LARGE_FRAME_MS)
 
 
 def comparison_page(bench, browser):
@@ -284,7 +355,7 @@ def reports(bench):
     began = time.monotonic()
     with _browser.Browser(command) as browser:
         browser.resize(1400, 1000)
-        for test in (sphere_page, brain_page, large_page, real_page, comparison_page, sweep_page):
+        for test in (sphere_page, brain_page, middle_page, large_page, real_page, comparison_page, sweep_page):
             test(bench, browser)
             print(f"{test.__name__}: {time.monotonic() - began:.0f} s", flush=True)
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from "node:assert/strict";
 import test from "node:test";
-import { bounds, firstHit, mixed, planeSegments, vertexNormals } from "../../viewer/geometry.mjs";
+import { bounds, firstHit, mixed, orientation, planeSegments, vertexNormals } from "../../viewer/geometry.mjs";
+import { roomiestColumns } from "../../viewer/stage.mjs";
 import { markOf, scaleBar, views } from "../../viewer/anatomy.mjs";
 
 // A tetrahedron, outward.
@@ -14,13 +15,21 @@ test("normals point outward", () => {
     assert.ok(Math.abs(Math.hypot(n[0], n[1], n[2]) - 1) < 1e-6);
 });
 
+test("a closed surface looks outward or inward, an open one neither", () => {
+    assert.equal(orientation(points, triangles), 1);
+    assert.equal(orientation(points, new Uint32Array(triangles).reverse()), -1);
+    assert.equal(orientation(points, triangles.slice(3)), 0);
+});
+
 test("a ray meets the nearest triangle that is shown", () => {
     const hit = firstHit(points, triangles, [0.2, 0.2, 5], [0, 0, -1]);
     assert.equal(hit.triangle, 3);
+    assert.ok(hit.isFront);
     assert.ok(Math.abs(hit.point[2] - 0.6) < 1e-6);
     assert.ok(Math.abs(hit.weights.reduce((a, b) => a + b) - 1) < 1e-6);
     const behind = firstHit(points, triangles, [0.2, 0.2, 5], [0, 0, -1], (x, y, z) => z < 0.3);
     assert.equal(behind.triangle, 0);
+    assert.ok(!behind.isFront);
     assert.equal(firstHit(points, triangles, [2, 2, 5], [0, 0, -1]), null);
 });
 
@@ -35,6 +44,13 @@ test("a plane cuts a closed line", () => {
 test("boxes and mixtures", () => {
     assert.deepEqual(bounds(points), { low: [0, 0, 0], high: [1, 1, 1] });
     assert.deepEqual([...mixed(new Float32Array([0, 2]), new Float32Array([1, 4]), 0.5)], [0.5, 3]);
+});
+
+test("panes lie where each has the most room", () => {
+    assert.equal(roomiestColumns(2, 860, 680), 2);
+    assert.equal(roomiestColumns(2, 376, 410), 1);
+    assert.equal(roomiestColumns(4, 860, 680), 2);
+    assert.equal(roomiestColumns(12, 860, 680), 4);
 });
 
 test("marks name the sides of a brain", () => {

@@ -4,6 +4,7 @@
 #include "corticle/formats/atomic_file.hpp"
 #include "corticle/formats/encoding.hpp"
 #include "corticle/formats/xml_tag.hpp"
+#include "corticle/geometry/surface_faults.hpp"
 
 #include <fmt/format.h>
 
@@ -61,6 +62,13 @@ Entries structure_entry(const std::string& structure)
     return structure.empty() ? Entries{} : Entries{{"AnatomicalStructurePrimary", structure}};
 }
 
+/// A hemisphere that was cut out of a body is open.
+std::string topology_of(std::span<const Vec3> points, std::span<const Triangle> triangles)
+{
+    const TriangleMesh surface{{points.begin(), points.end()}, {triangles.begin(), triangles.end()}};
+    return geometry::find_edge_faults(surface).boundary_edges == 0 ? "Closed" : "Open";
+}
+
 constexpr const char* scanner_space = R"(<CoordinateSystemTransformMatrix>
 <DataSpace>NIFTI_XFORM_SCANNER_ANAT</DataSpace>
 <TransformedSpace>NIFTI_XFORM_SCANNER_ANAT</TransformedSpace>
@@ -91,10 +99,11 @@ void write_surface_gifti(const std::filesystem::path& file, std::span<const Vec3
     }
     Entries about_points = structure_entry(structure);
     about_points.emplace_back("GeometricType", "Anatomical");
-    const std::string content = array_xml("NIFTI_INTENT_POINTSET", "NIFTI_TYPE_FLOAT32", points.size(), 3,
-                                          metadata_xml(about_points) + scanner_space, packed_numbers(coordinates)) +
-                                array_xml("NIFTI_INTENT_TRIANGLE", "NIFTI_TYPE_INT32", triangles.size(), 3,
-                                          metadata_xml({{"TopologicalType", "Closed"}}), packed_numbers(corners));
+    const std::string content =
+        array_xml("NIFTI_INTENT_POINTSET", "NIFTI_TYPE_FLOAT32", points.size(), 3,
+                  metadata_xml(about_points) + scanner_space, packed_numbers(coordinates)) +
+        array_xml("NIFTI_INTENT_TRIANGLE", "NIFTI_TYPE_INT32", triangles.size(), 3,
+                  metadata_xml({{"TopologicalType", topology_of(points, triangles)}}), packed_numbers(corners));
     write_text_atomically(file, file_xml(2, structure_entry(structure), content));
 }
 

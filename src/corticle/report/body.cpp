@@ -6,6 +6,7 @@
 #include "corticle/formats/vtk_files.hpp"
 #include "corticle/report/packed.hpp"
 #include "corticle/report/thinning.hpp"
+#include "corticle/view/drawn_boundary.hpp"
 #include "corticle/view/figures/anatomy.hpp"
 #include "corticle/view/robust_range.hpp"
 
@@ -31,27 +32,14 @@ constexpr int coarse_step = 16; ///< leaves 4096 values between the least and th
 /// Arrays of surface files that are not scalars to look at; curvedness and the like follow from what is shown.
 const std::set<std::string, std::less<>> left_out{"id", "gaussian_curvature", "curvedness", "shape_index"};
 
-std::vector<Vec3> points_of(std::span<const double> numbers)
-{
-    std::vector<Vec3> points;
-    for (std::size_t i = 0; i + 2 < numbers.size(); i += 3)
-    {
-        points.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
-    }
-    return points;
-}
-
 BodyFrame take_frame(formats::SurfaceFile file, double t, double week)
 {
-    BodyFrame frame{t, week, std::move(file.mesh.vertices), {}, {}};
+    std::vector<Vec3> boundary = view::drawn_boundary(file);
+    BodyFrame frame{t, week, std::move(file.mesh.vertices), std::move(boundary), {}};
     const std::size_t count = frame.points.size();
     for (auto& [name, values] : file.fields)
     {
-        if (name == "cortex_boundary" && values.size() == 3 * count)
-        {
-            frame.boundary = points_of(values);
-        }
-        else if (values.size() == count && !left_out.contains(name))
+        if (values.size() == count && !left_out.contains(name))
         {
             frame.scalars.emplace_back(name, std::move(values));
         }

@@ -3,6 +3,7 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/formats/vtk_files.hpp"
+#include "corticle/view/drawn_boundary.hpp"
 #include "corticle/view/run_pictures.hpp"
 
 #include <fmt/format.h>
@@ -34,21 +35,6 @@ std::vector<double> array_of(const formats::SurfaceFile& surface, const std::str
     }
     throw InputError(fmt::format("--array: {} holds no \"{}\" with one number a vertex; expected one of {}",
                                  file.string(), name, fmt::join(known, ", ")));
-}
-
-std::vector<Vec3> boundary_of(const formats::SurfaceFile& surface)
-{
-    const auto found = std::ranges::find(surface.fields, std::string("cortex_boundary"),
-                                         &std::pair<std::string, std::vector<double>>::first);
-    std::vector<Vec3> points;
-    if (found != surface.fields.end() && found->second.size() == 3 * surface.mesh.vertices.size())
-    {
-        for (std::size_t i = 0; i < found->second.size(); i += 3)
-        {
-            points.push_back({found->second[i], found->second[i + 1], found->second[i + 2]});
-        }
-    }
-    return points;
 }
 
 template <class Value>
@@ -92,7 +78,7 @@ std::vector<Shape> read_shapes(const record::RunContents& run, std::span<const s
         {
             shape.scalars.push_back(array_of(surface, name, files.surface));
         }
-        shape.boundary = boundary_of(surface);
+        shape.boundary = drawn_boundary(surface);
         shape.points = std::move(surface.mesh.vertices);
         shape.triangles = std::move(surface.mesh.triangles);
         if (shape.triangles != shapes.front().triangles)
