@@ -88,6 +88,20 @@ The run failed. The line holds the diagnosis; the last good checkpoint is kept.
 .TP
 .B 130
 Interrupted by a signal that asks it to end; a checkpoint was written.
+.SH ENVIRONMENT
+.TP
+.B OMP_NUM_THREADS
+Threads of a run without
+.BR \-\-threads .
+.TP
+.B DISPLAY
+X server for pictures; without it, Xvfb is started.
+.TP
+.B CORTICLE_TETRAHEDRALIZE
+The program that makes tets, where it is not installed with the command.
+.TP
+.B CORTICLE_THREE_JS
+Folder of three.js, for report.html (default: /usr/share/javascript/three).
 .SH EXAMPLES
 .EX
 corticle new sphere.toml
