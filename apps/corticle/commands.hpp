@@ -8,6 +8,7 @@
 #include "corticle/study/export.hpp"
 #include "corticle/study/fit/fit.hpp"
 #include "corticle/study/preparation_folder.hpp"
+#include "corticle/study/regions/regional_growth.hpp"
 #include "corticle/study/sensitivity/sensitivity.hpp"
 #include "corticle/study/sweep/sweep.hpp"
 #include "corticle/view/figures/run_figures.hpp"
@@ -48,6 +49,9 @@ int sweep_command(SweepArguments arguments);
 /// Without a folder: runs/<stem of the fit>.
 int fit_command(fit::FitRequest request);
 int sensitivity_command(sensitivity::SensitivityRequest request);
+
+/// Without a folder: runs/<stem of the case>_regions.
+int regions_command(regions::RegionsRequest request);
 
 struct PrepareArguments
 {
@@ -95,6 +99,8 @@ struct MeasureArguments
     MeasuredSurface surface = MeasuredSurface::triangles;
     std::optional<double> length_limit_mm;
     std::filesystem::path out;
+    std::filesystem::path regions; ///< label volume; empty: no areas of regions
+    std::filesystem::path areas;   ///< CSV to write them to
     bool overwrite = false;
     bool json = false;
 };

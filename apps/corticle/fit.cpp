@@ -20,4 +20,13 @@ int sensitivity_command(sensitivity::SensitivityRequest request)
     return sensitivity::analyze(request) == model::RunStatus::completed ? exit_status::done : exit_status::interrupted;
 }
 
+int regions_command(regions::RegionsRequest request)
+{
+    study::exit_when_interrupted();
+    request.out = request.out.empty() ? std::filesystem::path("runs") / (request.case_file.stem().string() + "_regions")
+                                      : request.out;
+    return regions::regional_growth(request) == model::RunStatus::completed ? exit_status::done
+                                                                            : exit_status::interrupted;
+}
+
 } // namespace corticle

@@ -140,6 +140,29 @@ void add_sensitivity(CLI::App& app, Verb& chosen)
     verb->callback([request, &chosen] { chosen = [request] { return sensitivity_command(*request); }; });
 }
 
+void add_regions(CLI::App& app, Verb& chosen)
+{
+    auto request = std::make_shared<regions::RegionsRequest>();
+    CLI::App* verb = app.add_subcommand("regions", "Find how much each region grows from its areas at a later week");
+    verb->add_option("case", request->case_file, "Case with regions and a table of their growth to start from")
+        ->type_name("CASE.toml")
+        ->required();
+    verb->add_option("--areas", request->areas, "Areas to reach: columns label and area_mm2")
+        ->type_name("AREAS.csv")
+        ->required();
+    verb->add_option("--week", request->week, "Week of these areas (default: the end of the case)")->type_name("W");
+    verb->add_option("--out", request->out, "Folder of the results (default: runs/<name of the case>_regions)")
+        ->type_name("DIR");
+    verb->add_option("--rounds", request->rounds, "Runs at most")->capture_default_str()->check(CLI::Range(1, 100));
+    verb->add_option("--tolerance", request->tolerance, "Largest relative error of an area to stop at")
+        ->capture_default_str()
+        ->check(CLI::Range(1e-6, 1.0));
+    add_overrides(*verb, request->overrides);
+    add_threads(*verb, request->threads);
+    verb->add_flag("--quiet", request->quiet, "Print nothing but errors");
+    verb->callback([request, &chosen] { chosen = [request] { return regions_command(*request); }; });
+}
+
 void add_prepare(CLI::App& app, Verb& chosen)
 {
     auto arguments = std::make_shared<PrepareArguments>();
@@ -238,7 +261,11 @@ void add_measure(CLI::App& app, Verb& chosen)
         ->type_name("MM")
         ->check(CLI::PositiveNumber);
     verb->add_option("--out", arguments->out, "Write the surface made from points")->type_name("FILE.vtp");
-    verb->add_flag("--overwrite", arguments->overwrite, "Replace the file of --out");
+    verb->add_option("--regions", arguments->regions, "Also the area of each region that this label volume knows")
+        ->type_name("FILE.nii.gz");
+    verb->add_option("--areas", arguments->areas, "Write these areas as a table: label, area_mm2")
+        ->type_name("FILE.csv");
+    verb->add_flag("--overwrite", arguments->overwrite, "Replace the file of --out or --areas");
     verb->add_flag("--json", arguments->json, "As JSON");
     verb->callback([arguments, &chosen] { chosen = [arguments] { return measure_command(*arguments); }; });
 }
@@ -276,8 +303,8 @@ int dispatch(int argc, char** argv)
     app.require_subcommand(1);
     app.footer("Exit status: 0 done, 2 bad usage or input, 3 the run failed, 130 interrupted.");
     Verb chosen;
-    for (auto add : {add_run, add_sweep, add_fit, add_sensitivity, add_prepare, add_new, add_check, add_schema,
-                     add_measure, add_compare, add_render, add_report, add_export})
+    for (auto add : {add_run, add_sweep, add_fit, add_sensitivity, add_regions, add_prepare, add_new, add_check,
+                     add_schema, add_measure, add_compare, add_render, add_report, add_export})
     {
         add(app, chosen);
     }
@@ -294,11 +321,11 @@ int dispatch(int argc, char** argv)
         const auto named = [&](const CLI::App* verb) { return verb->get_name() == argv[1]; };
         if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(named).empty())
         {
-            return complain(
-                "unknown verb \"" + std::string(argv[1]) +
-                    "\", expected run, sweep, fit, sensitivity, prepare, new, check, schema, measure, compare, render, "
-                    "report or export",
-                exit_status::bad_input);
+            return complain("unknown verb \"" + std::string(argv[1]) +
+                                "\", expected run, sweep, fit, sensitivity, regions, prepare, new, check, schema, "
+                                "measure, compare, render, "
+                                "report or export",
+                            exit_status::bad_input);
         }
         return complain(std::string(error.what()) + " (`corticle --help` shows the usage)", exit_status::bad_input);
     }

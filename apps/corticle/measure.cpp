@@ -2,8 +2,12 @@
 #include "commands.hpp"
 
 #include "corticle/base/error.hpp"
+#include "corticle/formats/atomic_file.hpp"
+#include "corticle/formats/volumes/nifti.hpp"
+#include "corticle/metrics/region_areas.hpp"
 #include "corticle/metrics/surface_rows.hpp"
 #include "corticle/study/point_surface.hpp"
+#include "corticle/study/regions/nearest_labels.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -34,14 +38,14 @@ void print_text(std::span<const metrics::SurfaceRow> rows)
     }
 }
 
-void require_new_file(const MeasureArguments& arguments)
+void require_new_file(const char* option, const std::filesystem::path& file, bool overwrite)
 {
     std::error_code error;
-    const auto status = std::filesystem::symlink_status(arguments.out, error);
-    if (!arguments.out.empty() && std::filesystem::exists(status) && !arguments.overwrite)
+    const auto status = std::filesystem::symlink_status(file, error);
+    if (!file.empty() && std::filesystem::exists(status) && !overwrite)
     {
-        throw InputError(fmt::format("--out {}: is there already; expected another name, or --overwrite to replace it",
-                                     arguments.out.string()));
+        throw InputError(fmt::format("{} {}: is there already; expected another name, or --overwrite to replace it",
+                                     option, file.string()));
     }
 }
 
@@ -54,11 +58,37 @@ void print_lines(const char* kind, std::span<const std::string> lines)
     }
 }
 
+/// Area of each region of a surface; written as a table, too, where that is asked for.
+void add_regions(const MeasureArguments& arguments, const TriangleMesh& surface, std::vector<metrics::SurfaceRow>& rows)
+{
+    if (arguments.regions.empty())
+    {
+        if (!arguments.areas.empty())
+        {
+            throw InputError(fmt::format("--areas {}: is given without --regions", arguments.areas.string()));
+        }
+        return;
+    }
+    require_new_file("--areas", arguments.areas, arguments.overwrite);
+    const std::vector<double> labels = regions::nearest_labels(
+        formats::read_nifti(arguments.regions, {{}, arguments.options.coordinates}), surface.vertices);
+    std::string table = "label,area_mm2\n";
+    for (const auto& [label, area] : metrics::region_areas({surface.vertices, surface.triangles}, labels))
+    {
+        rows.push_back({fmt::format("region_{}_area_mm2", label), "mm2", area});
+        table += label == 0 ? "" : fmt::format("{},{}\n", label, area);
+    }
+    if (!arguments.areas.empty())
+    {
+        formats::write_text_atomically(arguments.areas, table);
+    }
+}
+
 std::vector<metrics::SurfaceRow> measured(const MeasureArguments& arguments)
 {
     if (arguments.surface == MeasuredSurface::delaunay)
     {
-        require_new_file(arguments);
+        require_new_file("--out", arguments.out, arguments.overwrite);
         return study::measure_point_surface({arguments.file, arguments.length_limit_mm, arguments.out});
     }
     if (arguments.length_limit_mm || !arguments.out.empty())
@@ -71,7 +101,9 @@ std::vector<metrics::SurfaceRow> measured(const MeasureArguments& arguments)
     print_lines("warning", reading.warnings);
     metrics::FoldOptions folds;
     folds.outer = arguments.outer;
-    return study::surface_rows(reading, folds);
+    std::vector<metrics::SurfaceRow> rows = study::surface_rows(reading, folds);
+    add_regions(arguments, reading.surface, rows);
+    return rows;
 }
 
 } // namespace

@@ -180,6 +180,15 @@ class Boundary(Section):
     bulk_modulus: float
     ventricle_pressure: float
 
+class Tracts(Section):
+    file: str
+    stiffness: float
+    rest: float
+    ramp_time: float
+    rate: float
+    pushes: bool
+    radius_mm: float
+
 class Support(Section):
     def __getitem__(self, number: int) -> Support1: ...
     def __len__(self) -> int: ...
@@ -228,5 +237,7 @@ class Sections:
     def output(self) -> Output: ...
     @property
     def boundary(self) -> Boundary: ...
+    @property
+    def tracts(self) -> Tracts: ...
     @property
     def support(self) -> Support: ...

@@ -142,10 +142,20 @@ void settle_times(Options& options, const Place& place)
     }
 }
 
+void check_tracts(const Options& options, const Place& place)
+{
+    for (const std::string_view key :
+         {"tracts.stiffness", "tracts.rest", "tracts.ramp_time", "tracts.rate", "tracts.pushes", "tracts.radius_mm"})
+    {
+        refuse(options, key, options.tracts.file.empty(), "tracts.file", place);
+    }
+}
+
 } // namespace
 
 void settle_boundary(Options& options, const Place& place)
 {
+    check_tracts(options, place);
     check_shape(options, place);
     check_fluid(options, place);
     require_contact(options, place);

@@ -18,6 +18,13 @@ struct RunClock
     {
         return clock == material::GestationalClock::none ? t : material::gestational_week(clock, t);
     }
+    /// How fast it goes by: weeks per t, or 1.
+    double rate(double t) const
+    {
+        return clock == material::GestationalClock::none
+                   ? 1.0
+                   : 1.0 / material::growth_time_rate(clock, material::gestational_week(clock, t));
+    }
 };
 
 /// Histories of the material points: those of the last accepted step, which are in the state, and those that the step

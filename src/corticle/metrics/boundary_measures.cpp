@@ -4,6 +4,7 @@
 #include "corticle/geometry/self_intersections.hpp"
 #include "corticle/mechanics/boundary/fluid_term.hpp"
 #include "corticle/mechanics/boundary/skull_term.hpp"
+#include "corticle/mechanics/tracts/tract_term.hpp"
 
 #include <cmath>
 
@@ -65,10 +66,22 @@ BoundaryMeasures boundary_measures(const model::OutputView& view)
             m.ventricle_volume_mm3 = fluid->ventricle_volume() * volume_scale;
         }
     }
+    for (const auto& term : view.simulation.terms())
+    {
+        if (const auto* tracts = dynamic_cast<const tracts::TractTerm*>(term.get()); tracts != nullptr)
+        {
+            for (const tracts::TractState& state : tracts->states())
+            {
+                m.tract_tension += state.tension;
+                m.tract_stretch += state.length / state.rest_length / static_cast<double>(tracts->states().size());
+            }
+        }
+    }
     for (const auto& [name, value] : view.simulation.energies())
     {
         m.energy_skull += name.starts_with("skull") ? value : 0.0;
         m.energy_fluid += name == "fluid" ? value : 0.0;
+        m.energy_tracts += name == "tracts" ? value : 0.0;
     }
     return m;
 }

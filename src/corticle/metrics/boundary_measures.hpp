@@ -6,8 +6,8 @@
 namespace corticle::metrics
 {
 
-/// What skull and fluid do to the brain; 0 where there is none. Forces, pressures and energies belong to the run's own
-/// coordinates, volumes are in mm³ at the week.
+/// What skull, fluid and tracts do to the brain; 0 where there is none. Forces, pressures and energies belong to the
+/// run's own coordinates, volumes are in mm³ at the week.
 struct BoundaryMeasures
 {
     double skull_force = 0.0;          ///< of contact between brain and skull: sum of the magnitudes
@@ -20,6 +20,9 @@ struct BoundaryMeasures
     double fluid_volume_mm3 = 0.0;     ///< between brain and skull
     double energy_fluid = 0.0;         ///< outside and in the ventricles
     double ventricle_volume_mm3 = 0.0; ///< where a pressure acts in them
+    double tract_tension = 0.0;        ///< sum over the tracts
+    double tract_stretch = 0.0;        ///< mean of length over rest length
+    double energy_tracts = 0.0;
 };
 
 BoundaryMeasures boundary_measures(const model::OutputView& view);

@@ -115,6 +115,10 @@ constexpr std::array boundary_table{
                    &BoundaryMeasures::energy_fluid},
     BoundaryColumn{"ventricle_volume_mm3", "mm3", "of the ventricles; 0 where no pressure acts in them",
                    &BoundaryMeasures::ventricle_volume_mm3},
+    BoundaryColumn{"tract_tension", "mu_w mm2", "sum of the tensions of the tracts", &BoundaryMeasures::tract_tension},
+    BoundaryColumn{"tract_stretch", "-", "mean of length over rest length of the tracts; 0 without tracts",
+                   &BoundaryMeasures::tract_stretch},
+    BoundaryColumn{"energy_tracts", "mu_w mm3", "stored in the tracts", &BoundaryMeasures::energy_tracts},
 };
 
 constexpr std::array size_table{

@@ -5,6 +5,7 @@
 #include "corticle/mechanics/boundary/tied_surface.hpp"
 #include "corticle/mechanics/fem/elements.hpp"
 #include "corticle/mechanics/tlsph/particles.hpp"
+#include "corticle/mechanics/tracts/tracts.hpp"
 #include "corticle/mesh/cloud.hpp"
 
 #include <optional>
@@ -31,6 +32,7 @@ struct Model
     std::optional<ElementModel> fem;  ///< of method "fem"
     TriangleMesh skull;               ///< at the start; without triangles: none
     boundary::TiedSurface ventricles; ///< walls of the ventricles, where a fluid presses on them
+    tracts::Tracts tracts;            ///< of axons; or none
 };
 
 } // namespace corticle::model

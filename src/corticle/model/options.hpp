@@ -9,6 +9,7 @@
 #include "corticle/mechanics/contact/options.hpp"
 #include "corticle/mechanics/thesis/options.hpp"
 #include "corticle/mechanics/tlsph/options.hpp"
+#include "corticle/mechanics/tracts/options.hpp"
 
 #include <optional>
 #include <vector>
@@ -44,6 +45,7 @@ struct SimulationOptions
     contact::ContactOptions contact;                                  ///< keys under [contact]
     std::vector<boundary::SupportOptions> supports;                   ///< keys under [[support]]
     boundary::BoundaryOptions boundary;                               ///< keys under [boundary]
+    tracts::TractOptions tracts;                                      ///< keys under [tracts]
     dynamics::DynamicsOptions dynamics;                               ///< keys under [solver]
     TimeOptions time;
     material::SizeOptions size;

@@ -8,6 +8,7 @@
 #include "corticle/mechanics/fem/solver.hpp"
 #include "corticle/mechanics/thesis/printed_solver.hpp"
 #include "corticle/mechanics/tlsph/solver.hpp"
+#include "corticle/mechanics/tracts/tract_term.hpp"
 
 namespace corticle::model
 {
@@ -73,6 +74,12 @@ std::vector<std::unique_ptr<mechanics::ForceTerm>> make_terms(const Model& model
         terms.push_back(std::make_unique<boundary::FluidTerm>(model.cloud, model.surface, model.cloud.volumes,
                                                               model.ventricles, skull, options.boundary,
                                                               options.time.start));
+    }
+    if (!model.tracts.tracts.empty())
+    {
+        terms.push_back(
+            std::make_unique<tracts::TractTerm>(model.tracts, model.cloud.positions, model.cloud.volumes,
+                                                mechanics::RunClock{options.time.clock, options.time.start}));
     }
     if (options.contact.enabled)
     {

@@ -18,6 +18,7 @@
 #include "corticle/prepare/skull_surface.hpp"
 #include "corticle/prepare/thesis/ellipsoid.hpp"
 #include "corticle/prepare/thesis_choices.hpp"
+#include "corticle/prepare/tract_file.hpp"
 #include "corticle/prepare/ventricle_surface.hpp"
 
 #include <fmt/format.h>
@@ -351,6 +352,7 @@ void connect_body(const PreparationOptions& options, Preparation& made)
     }
     model.skull = skull_surface(options, model);
     model.ventricles = ventricle_surface(options, model);
+    model.tracts = read_tracts(options.tracts, model);
     boundary::held_degrees(model.cloud, options.supports); // refuses supports that hold nothing, or disagree
     if (const std::string warning = size_warning(options, model); !warning.empty())
     {

@@ -291,7 +291,7 @@ std::vector<Parameter> all_parameters()
     std::vector<Parameter> all;
     for (auto part : {geometry_parameters, map_parameters, tissue_parameters, growth_parameters, remodelling_parameters,
                       imperfection_parameters, solver_parameters, thesis_parameters, other_parameters,
-                      boundary_parameters, support_parameters})
+                      boundary_parameters, tract_parameters, support_parameters})
     {
         std::ranges::move(part(), std::back_inserter(all));
     }
