@@ -60,7 +60,7 @@ def bash_offers(bench):
         return subprocess.run(["bash", "-c", ask, script, "corticle", *words], cwd=bench.folder, capture_output=True, text=True,
                               timeout=60, check=True).stdout.split()
 
-    for words, expected in ((["re"], ["render", "report"]), (["run", "--o"], ["--out", "--overwrite"]),
+    for words, expected in ((["ren"], ["render"]), (["run", "--o"], ["--out", "--overwrite"]),
                             (["export", "r", "--format", "g"], ["gifti"]), (["run", "--set", "geometry.par"], ["geometry.particles="]),
                             (["run", "ca"], [])):  # nothing of its own: bash offers files
         bench.check(offered(*words) == expected, f"bash offers {offered(*words)} for {words}, expected {expected}")
