@@ -3,6 +3,7 @@
 
 SHELL := /bin/bash
 JOBS ?= $(shell nproc)
+PREFIX ?= /usr/local
 CASE ?= cases/sphere.toml
 OUT ?= runs/$(basename $(notdir $(CASE)))
 PYTHON ?= $(firstword $(wildcard /usr/bin/python3) python3)
@@ -11,7 +12,7 @@ COMMAND := build/release/bin/corticle
 MAKEFLAGS += --no-print-directory
 
 .NOTPARALLEL:
-.PHONY: fold command test build python python-docs dev asan tsan validate validate-thesis bench format format-check lint setup setup-tests setup-dev setup-python clean help
+.PHONY: fold command test build install package python python-docs dev asan tsan validate validate-thesis bench format format-check lint setup setup-tests setup-dev setup-python clean help
 .DEFAULT_GOAL := help
 
 help: ## list the goals
@@ -29,6 +30,15 @@ command: setup build/release/.configured ## set up and build the command alone
 
 build: setup build/release/.configured ## set up and build the optimised version, tests and benchmarks
 	cmake --build --preset release --parallel $(JOBS)
+
+install: command ## install the program and its C++ library (PREFIX=/usr/local): docs/guide/installing.md
+	cmake --install build/release --prefix $(PREFIX) --component program
+	cmake --install build/release --prefix $(PREFIX) --component development
+
+package: setup-python command ## make Debian packages of the program and the Python package, in build/release
+	cmake --preset release -D CORTICLE_PYTHON_MODULE=ON -D Python_EXECUTABLE=/usr/bin/python3
+	cmake --build --preset release --parallel $(JOBS) --target corticle_python
+	cd build/release && cpack
 
 python: setup-python command ## build the Python package, install it into build/venv, run its tests
 	@scripts/python.sh --test

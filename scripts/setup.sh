@@ -5,7 +5,7 @@
 #   scripts/setup.sh --tests  also node and Chromium, for tests of reports, and with CORTICLE_TEST_SLURM=1 Slurm; where they
 #                             cannot be had, these tests are skipped
 #   scripts/setup.sh --dev    also clang, clang-tidy and clang's OpenMP (make lint, make tsan)
-#   scripts/setup.sh --python also what builds and tests the Python package (make python)
+#   scripts/setup.sh --python also what builds and tests the Python package (make python) and makes Debian packages
 set -euo pipefail
 
 packages=(
@@ -21,6 +21,7 @@ packages=(
 [[ ${1:-} == --python ]] && packages+=(
     pybind11-dev python3-pybind11 python3-dev python3-venv python3-pip python3-setuptools python3-wheel python3-numpy
     python3-pytest python3-pandas python3-meshio python3-matplotlib python3-vtk9 python3-tqdm python3-sphinx mypy
+    dpkg-dev # make package
 )
 wished=()
 if [[ ${1:-} == --tests ]]; then

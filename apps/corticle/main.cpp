@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command_line.hpp"
+#include "command_pages.hpp"
 
 #include "corticle/base/error.hpp"
 #include "corticle/base/version.hpp"
@@ -207,7 +208,18 @@ void add_schema(CLI::App& app, Verb& chosen)
     CLI::App* verb = app.add_subcommand("schema", "Print every key of a case: type, default, unit, range, meaning");
     verb->add_flag("--markdown", arguments->markdown, "As Markdown");
     verb->add_flag("--measures", arguments->measures, "The measures of a run instead: key, unit, meaning, as Markdown");
-    verb->callback([arguments, &chosen] { chosen = [arguments] { return schema_command(*arguments); }; });
+    auto page = std::make_shared<CommandPage>();
+    const CLI::Option* of_command = add_choice(*verb, "--of-command", *page,
+                                               "The command line instead: man, its manual page, or its completions "
+                                               "for bash, zsh or fish")
+                                        ->type_name("FORM")
+                                        ->default_str("");
+    verb->callback(
+        [=, &app, &chosen]
+        {
+            chosen = [=, &app]
+            { return of_command->count() > 0 ? command_page_command(app, *page) : schema_command(*arguments); };
+        });
 }
 
 /// How a real brain is read, for the verbs that measure one.

@@ -30,7 +30,8 @@ constexpr double size_per_node = 0.847; // size asked of HXT, over the cube root
 constexpr double tets_per_node = 6.297;
 constexpr double tets_less_per_vertex = 3.42; // of the surface
 
-/// The program that meshes: where the environment says, beside this one, or beside the library that this code is in.
+/// The program that meshes: where the environment says, beside this one, where it is installed with this one, or beside
+/// the library that this code is in.
 fs::path program()
 {
     constexpr const char* name = "corticle-tetrahedralize";
@@ -38,14 +39,19 @@ fs::path program()
     {
         return named;
     }
-    const fs::path beside = fs::read_symlink("/proc/self/exe").parent_path() / name;
-    Dl_info library{};
+    const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
     std::error_code error;
-    if (fs::exists(beside, error) || dladdr(reinterpret_cast<const void*>(&program), &library) == 0)
+    for (const fs::path& found : {folder / name, folder.parent_path() / "libexec" / "corticle" / name})
     {
-        return beside;
+        if (fs::exists(found, error))
+        {
+            return found;
+        }
     }
-    return fs::absolute(library.dli_fname).parent_path() / name;
+    Dl_info library{};
+    return dladdr(reinterpret_cast<const void*>(&program), &library) == 0
+               ? folder / name
+               : fs::absolute(library.dli_fname).parent_path() / name;
 }
 
 TetRequest request_for(const TriangleMesh& surface, double size)
