@@ -11,7 +11,7 @@ COMMAND := build/release/bin/corticle
 MAKEFLAGS += --no-print-directory
 
 .NOTPARALLEL:
-.PHONY: fold command test build python python-docs dev asan tsan validate validate-thesis bench format format-check lint setup setup-tests setup-dev setup-python clean help
+.PHONY: fold command mpi test build python python-docs dev asan tsan validate validate-thesis bench format format-check lint setup setup-tests setup-dev setup-python clean help
 .DEFAULT_GOAL := help
 
 help: ## list the goals
@@ -29,6 +29,9 @@ command: setup build/release/.configured ## set up and build the command alone
 
 build: setup build/release/.configured ## set up and build the optimised version, tests and benchmarks
 	cmake --build --preset release --parallel $(JOBS)
+
+mpi: setup-mpi build/mpi/.configured ## build the command for runs by many processes (docs/guide/clusters.md)
+	cmake --build --preset mpi --parallel $(JOBS) --target corticle_command
 
 python: setup-python command ## build the Python package, install it into build/venv, run its tests
 	@scripts/python.sh --test
@@ -75,6 +78,9 @@ setup-tests:
 
 setup-dev:
 	@scripts/setup.sh --dev
+
+setup-mpi:
+	@scripts/setup.sh --mpi
 
 setup-python:
 	@scripts/setup.sh --python
