@@ -11,6 +11,8 @@
 
 #include <fmt/format.h>
 
+#include <new>
+
 namespace corticle
 {
 
@@ -57,11 +59,17 @@ int end_together(const Communicator& ranks, const std::exception& error)
     constexpr double patience_s = 5.0;
     const int status =
         dynamic_cast<const InputError*>(&error) != nullptr ? exit_status::bad_input : exit_status::failed;
+    const std::string message = dynamic_cast<const std::bad_alloc*>(&error) != nullptr ? "out of memory" : error.what();
     if (!ranks.meet(patience_s))
     {
-        complain(fmt::format("rank {}: {}", ranks.rank(), error.what()), status);
+        complain(fmt::format("rank {}: {}", ranks.rank(), message), status);
         ranks.abort(status);
     }
+    if (ranks.is_root())
+    {
+        complain(message, status);
+    }
+    ranks.meet(patience_s); // one that leaves ends the others
     return status;
 }
 
@@ -77,12 +85,11 @@ int run_command(RunArguments arguments)
     }
     catch (const std::exception& error)
     {
-        const int status = end_together(*ranks, error);
-        if (!ranks->is_root())
+        if (ranks->size() == 1)
         {
-            return status;
+            throw;
         }
-        throw;
+        return end_together(*ranks, error);
     }
 }
 

@@ -105,7 +105,8 @@ def test_one_message(bench):
     for arguments, status, part in (
         (("--out", "held"), 2, "run.log"),
         (("--set", "time.end=-1", "--out", "bad"), 2, "time.end"),
-        (("--out", "crushed", "--set", "solver.time_step=0.1"), 3, "inverted"),
+        (("--out", "crushed", "--set", "solver.time_step=0.1", "--set", "solver.max_halvings=0",
+          "--set", "time.end=0.4"), 3, "inverted"),
     ):
         got, _, errors = _ranks.call(bench, 3, *QUIET, *arguments, timeout=100)
         lines = [line for line in errors.splitlines() if line.startswith(_command.PREFIX)]
