@@ -12,7 +12,7 @@ COMMAND := build/release/bin/corticle
 MAKEFLAGS += --no-print-directory
 
 .NOTPARALLEL:
-.PHONY: fold command test build install package python python-docs dev asan tsan validate validate-thesis bench format format-check lint setup setup-tests setup-dev setup-python clean help
+.PHONY: fold command mpi test build install package python python-docs dev asan tsan validate validate-thesis bench format format-check lint setup setup-tests setup-dev setup-python clean help
 .DEFAULT_GOAL := help
 
 help: ## list the goals
@@ -39,6 +39,9 @@ package: setup-python command ## make Debian packages of the program and the Pyt
 	cmake --preset release -D CORTICLE_PYTHON_MODULE=ON -D Python_EXECUTABLE=/usr/bin/python3
 	cmake --build --preset release --parallel $(JOBS) --target corticle_python
 	cd build/release && cpack
+
+mpi: setup-mpi build/mpi/.configured ## build the command for runs by many processes (docs/guide/clusters.md)
+	cmake --build --preset mpi --parallel $(JOBS) --target corticle_command
 
 python: setup-python command ## build the Python package, install it into build/venv, run its tests
 	@scripts/python.sh --test
@@ -85,6 +88,9 @@ setup-tests:
 
 setup-dev:
 	@scripts/setup.sh --dev
+
+setup-mpi:
+	@scripts/setup.sh --mpi
 
 setup-python:
 	@scripts/setup.sh --python

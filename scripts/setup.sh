@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Installs what the build needs and is not there. Quick when nothing is missing.
 #   scripts/setup.sh          to build, run and test
-#   scripts/setup.sh --tests  also node and Chromium, for tests of reports, and with CORTICLE_TEST_SLURM=1 Slurm; where they
+#   scripts/setup.sh --tests  also node and Chromium, for tests of reports, Open MPI, and with CORTICLE_TEST_SLURM=1 Slurm; where they
 #                             cannot be had, these tests are skipped
+#   scripts/setup.sh --mpi    also Open MPI (make mpi)
 #   scripts/setup.sh --dev    also clang, clang-tidy and clang's OpenMP (make lint, make tsan)
 #   scripts/setup.sh --python also what builds and tests the Python package (make python) and makes Debian packages
 set -euo pipefail
@@ -18,6 +19,7 @@ packages=(
     libjs-three # report.html
 )
 [[ ${1:-} == --dev ]] && packages+=(clang clang-tidy libomp-dev)
+[[ ${1:-} == --mpi ]] && packages+=(libopenmpi-dev openmpi-bin)
 [[ ${1:-} == --python ]] && packages+=(
     pybind11-dev python3-pybind11 python3-dev python3-venv python3-pip python3-setuptools python3-wheel python3-numpy
     python3-pytest python3-pandas python3-meshio python3-matplotlib python3-vtk9 python3-tqdm python3-sphinx mypy
@@ -28,6 +30,7 @@ if [[ ${1:-} == --tests ]]; then
     command -v node >/dev/null || wished+=(nodejs)
     # Daemons, hence only where asked for: .ci/run does.
     [[ -n ${CORTICLE_TEST_SLURM:-} ]] && { command -v slurmctld >/dev/null || wished+=(slurm-wlm munge); }
+    command -v mpirun >/dev/null || wished+=(libopenmpi-dev openmpi-bin)
     command -v chromium >/dev/null || command -v chromium-browser >/dev/null || wished+=(chromium)
 fi
 

@@ -31,6 +31,9 @@ inline constexpr int failed = 3;
 inline constexpr int interrupted = 130;
 } // namespace exit_status
 
+/// One line on stderr, whatever the message holds. @return the status
+int complain(std::string message, int status);
+
 struct RunArguments
 {
     std::filesystem::path case_file;

@@ -18,13 +18,7 @@
 
 // This file and show_verbs.cpp alone know the command line.
 
-namespace
-{
-
-using namespace corticle;
-
-/// One line on stderr, whatever the message holds.
-int complain(std::string message, int status)
+int corticle::complain(std::string message, int status)
 {
     for (char& c : message)
     {
@@ -34,6 +28,11 @@ int complain(std::string message, int status)
     std::fprintf(stderr, "corticle: error: %s\n", message.c_str());
     return status;
 }
+
+namespace
+{
+
+using namespace corticle;
 
 void add_overrides(CLI::App& verb, std::vector<std::string>& overrides)
 {

@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/dynamics/integrator.hpp"
 
-#include "corticle/base/parallel.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 namespace corticle::dynamics
 {
 
-StepEnergies advance(const Motion& from, std::span<const double> mass, double dt, const Medium& medium, Motion& to)
+StepEnergies advance(const Motion& from, std::span<const double> mass, double dt, const Medium& medium,
+                     const Share& share, Motion& to)
 {
     const double decay = std::exp(-medium.damping * dt);
-    const auto count = static_cast<std::int64_t>(mass.size());
-    StepEnergies energies = parallel_reduce(
-        count, StepEnergies{},
+    StepEnergies energies = share.reduce(
+        StepEnergies{},
         [&](std::int64_t begin, std::int64_t end)
         {
             StepEnergies sum;
@@ -49,12 +47,11 @@ StepEnergies advance(const Motion& from, std::span<const double> mass, double dt
     return energies;
 }
 
-KineticEnergies kinetic_energies(const Motion& motion, std::span<const double> mass, const Medium& medium)
+KineticEnergies kinetic_energies(const Motion& motion, std::span<const double> mass, const Medium& medium,
+                                 const Share& share)
 {
-    const auto sum = [&](auto velocity) {
-        return parallel_sum(std::ssize(mass),
-                            [&](std::int64_t i) { return 0.5 * mass[i] * squared_norm(velocity(i)); });
-    };
+    const auto sum = [&](auto velocity)
+    { return share.sum([&](std::int64_t i) { return 0.5 * mass[i] * squared_norm(velocity(i)); }); };
     return {sum([&](std::int64_t i) { return motion.v[i]; }),
             sum([&](std::int64_t i) { return motion.v[i] - medium.velocity(motion.x[i]); })};
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "corticle/base/vec3.hpp"
+#include "corticle/mesh/share.hpp"
 
 #include <cstdint>
 #include <span>
@@ -40,7 +41,14 @@ struct StepEnergies
 
 /// One step of symplectic Euler with the damping integrated exactly, u the velocity of the medium at x:
 /// v' = u + (v + dt f/m - u) exp(-damping dt), x' = x + dt v'.
-StepEnergies advance(const Motion& from, std::span<const double> mass, double dt, const Medium& medium, Motion& to);
+/// @param share  whose particles are moved; the energies are of all ranks
+StepEnergies advance(const Motion& from, std::span<const double> mass, double dt, const Medium& medium,
+                     const Share& share, Motion& to);
+inline StepEnergies advance(const Motion& from, std::span<const double> mass, double dt, const Medium& medium,
+                            Motion& to)
+{
+    return advance(from, mass, dt, medium, Share(std::ssize(mass)), to);
+}
 
 /// Kinetic energy, whole and against the medium.
 struct KineticEnergies
@@ -48,7 +56,12 @@ struct KineticEnergies
     double whole = 0.0;
     double relative = 0.0;
 };
-KineticEnergies kinetic_energies(const Motion& motion, std::span<const double> mass, const Medium& medium);
+KineticEnergies kinetic_energies(const Motion& motion, std::span<const double> mass, const Medium& medium,
+                                 const Share& share);
+inline KineticEnergies kinetic_energies(const Motion& motion, std::span<const double> mass, const Medium& medium)
+{
+    return kinetic_energies(motion, mass, medium, Share(std::ssize(mass)));
+}
 
 /// Largest step an explicit integrator may take, times a safety factor:
 /// cfl · spacing / (largest of wave speed · g / smallest principal stretch).

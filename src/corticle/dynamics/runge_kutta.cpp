@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/dynamics/runge_kutta.hpp"
 
-#include "corticle/base/parallel.hpp"
-
 namespace corticle::dynamics
 {
 
 std::optional<StepEnergies> RungeKutta4::advance(const Motion& from, std::span<const double> mass, double dt,
-                                                 const Medium& medium, const Evaluate& evaluate, Motion& to)
+                                                 const Medium& medium, const Share& share, const Evaluate& evaluate,
+                                                 Motion& to)
 {
     const auto rate_of = [&](const Motion& motion, std::int64_t i)
     { return motion.force[i] / mass[i] - medium.damping * (motion.v[i] - medium.velocity(motion.x[i])); };
@@ -18,40 +17,40 @@ std::optional<StepEnergies> RungeKutta4::advance(const Motion& from, std::span<c
     for (int stage = 0; stage < 3; ++stage)
     {
         const Motion& last = stage == 0 ? from : to;
-        parallel_for(std::ssize(mass),
-                     [&](std::int64_t i)
-                     {
-                         const Vec3 velocity = last.v[i];
-                         const Vec3 rate = rate_of(last, i);
-                         velocity_sum_[i] += weights[stage] * velocity;
-                         rate_sum_[i] += weights[stage] * rate;
-                         to.x[i] = from.x[i] + (parts[stage] * dt) * velocity;
-                         to.v[i] = from.v[i] + (parts[stage] * dt) * rate;
-                     });
+        share.each(
+            [&](std::int64_t i)
+            {
+                const Vec3 velocity = last.v[i];
+                const Vec3 rate = rate_of(last, i);
+                velocity_sum_[i] += weights[stage] * velocity;
+                rate_sum_[i] += weights[stage] * rate;
+                to.x[i] = from.x[i] + (parts[stage] * dt) * velocity;
+                to.v[i] = from.v[i] + (parts[stage] * dt) * rate;
+            });
         if (!evaluate(to, parts[stage]))
         {
             return std::nullopt;
         }
     }
-    parallel_for(std::ssize(mass),
-                 [&](std::int64_t i)
-                 {
-                     const Vec3 rate = rate_of(to, i);
-                     to.x[i] = from.x[i] + (dt / 6.0) * (velocity_sum_[i] + to.v[i]);
-                     to.v[i] = from.v[i] + (dt / 6.0) * (rate_sum_[i] + rate);
-                 });
-    const KineticEnergies before = kinetic_energies(from, mass, medium);
-    const KineticEnergies after = kinetic_energies(to, mass, medium);
+    share.each(
+        [&](std::int64_t i)
+        {
+            const Vec3 rate = rate_of(to, i);
+            to.x[i] = from.x[i] + (dt / 6.0) * (velocity_sum_[i] + to.v[i]);
+            to.v[i] = from.v[i] + (dt / 6.0) * (rate_sum_[i] + rate);
+        });
+    const KineticEnergies before = kinetic_energies(from, mass, medium, share);
+    const KineticEnergies after = kinetic_energies(to, mass, medium, share);
     StepEnergies energies{after.whole, after.relative};
     energies.damped = medium.damping * dt * (before.relative + after.relative);
     const auto drag_power = [&](const Motion& motion)
     {
-        return parallel_sum(std::ssize(mass),
-                            [&](std::int64_t i)
-                            {
-                                const Vec3 u = medium.velocity(motion.x[i]);
-                                return mass[i] * dot(u, u - motion.v[i]);
-                            });
+        return share.sum(
+            [&](std::int64_t i)
+            {
+                const Vec3 u = medium.velocity(motion.x[i]);
+                return mass[i] * dot(u, u - motion.v[i]);
+            });
     };
     energies.carried = 0.5 * medium.damping * dt * (drag_power(from) + drag_power(to));
     return energies;

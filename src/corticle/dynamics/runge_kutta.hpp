@@ -20,8 +20,14 @@ class RungeKutta4
 
     /// One step of length dt from `from`, whose forces are known; three evaluations. The forces of `to` are left to the
     /// caller. @return the energies, or nothing where a stage is invalid
+    /// @param share  whose particles are moved; the energies are of all ranks
     std::optional<StepEnergies> advance(const Motion& from, std::span<const double> mass, double dt,
-                                        const Medium& medium, const Evaluate& evaluate, Motion& to);
+                                        const Medium& medium, const Share& share, const Evaluate& evaluate, Motion& to);
+    std::optional<StepEnergies> advance(const Motion& from, std::span<const double> mass, double dt,
+                                        const Medium& medium, const Evaluate& evaluate, Motion& to)
+    {
+        return advance(from, mass, dt, medium, Share(std::ssize(mass)), evaluate, to);
+    }
 
   private:
     std::vector<Vec3> velocity_sum_; ///< v1 + 2 v2 + 2 v3 + v4

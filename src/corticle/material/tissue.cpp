@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/material/tissue.hpp"
 
-#include "corticle/base/parallel.hpp"
 #include "corticle/material/layer.hpp"
 
 namespace corticle::material
@@ -13,27 +12,29 @@ bool layer_moves(const TissueFields& fields, const TissueOptions& options, const
 }
 
 void set_layer(const TissueFields& fields, const TissueOptions& options, const ReferenceSize& size, double t,
-               TissueState& state)
+               const Share& share, TissueState& state)
 {
     const double scale = size.scale(t);
     const double scale_rate = size.scale_rate(t);
     const bool moves = options.layer == Layer::smooth && (options.thickness_rate_mm != 0.0 || scale_rate != 0.0);
     state.theta.resize(fields.depth.size());
     state.theta_rate.resize(moves ? fields.depth.size() : 0);
-    parallel_for(std::ssize(fields.depth),
-                 [&](std::int64_t i)
-                 {
-                     const auto k = static_cast<std::size_t>(i);
-                     const double depth = fields.depth[k];
-                     const double H = thickness_at(fields, options, k, t) / scale;
-                     double& theta = state.theta[k];
-                     theta = options.layer == Layer::smooth ? smooth_layer(depth, H) : H - depth;
-                     if (moves)
-                     {
-                         const double H_rate = (options.thickness_rate_mm - H * scale_rate) / scale;
-                         state.theta_rate[k] = theta * (1.0 - theta) * 10.0 * depth / (H * H) * H_rate;
-                     }
-                 });
+    const bool is_smooth = options.layer == Layer::smooth;
+    (is_smooth ? share : Share(std::ssize(fields.depth)))
+        .each(
+            [&](std::int64_t i)
+            {
+                const auto k = static_cast<std::size_t>(i);
+                const double depth = fields.depth[k];
+                const double H = thickness_at(fields, options, k, t) / scale;
+                double& theta = state.theta[k];
+                theta = is_smooth ? smooth_layer(depth, H) : H - depth;
+                if (moves)
+                {
+                    const double H_rate = (options.thickness_rate_mm - H * scale_rate) / scale;
+                    state.theta_rate[k] = theta * (1.0 - theta) * 10.0 * depth / (H * H) * H_rate;
+                }
+            });
     if (options.layer == Layer::binary)
     {
         state.theta = sharp_layer(state.theta, fields.volume, volume_inside(state.theta, fields.volume));

@@ -5,6 +5,7 @@
 #include "corticle/material/material_point.hpp"
 #include "corticle/material/size.hpp"
 #include "corticle/material/tissue_growth.hpp"
+#include "corticle/mesh/share.hpp"
 
 #include <array>
 #include <optional>
@@ -87,9 +88,15 @@ bool layer_moves(const TissueFields& fields, const TissueOptions& options, const
 
 /// Sets theta(y, H(t)), H(t) = (H_i + beta t) / s(t), with s the scale of the reference state (thesis eqs. 11 and 14;
 /// s = 1 without a length law), and its rate where H moves a smooth layer.
-/// @param size  by which the cortex thins; without a law it does not
+/// @param size   by which the cortex thins; without a law it does not
+/// @param share  whose points are set; of a sharp layer, which depends on all of them, all are
 void set_layer(const TissueFields& fields, const TissueOptions& options, const ReferenceSize& size, double t,
-               TissueState& state);
+               const Share& share, TissueState& state);
+inline void set_layer(const TissueFields& fields, const TissueOptions& options, const ReferenceSize& size, double t,
+                      TissueState& state)
+{
+    set_layer(fields, options, size, t, Share(std::ssize(fields.depth)), state);
+}
 
 /// The tissue as growth begins at t, where the body is free of stress: growth is relative to the growth at t,
 /// G(t') G(t)^-1, so that a body imaged at t > 0 starts at rest.

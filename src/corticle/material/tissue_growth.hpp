@@ -33,6 +33,8 @@ struct TissueGrowthAt
 class TissueGrowth
 {
   public:
+    /// Without courses, which each_array brings from another one.
+    TissueGrowth() = default;
     /// @param rows  in any order   @param start_week  of the body as given, where all growth is 1
     /// @throws InputError where the rows of a tissue do not reach from start_week to end_week, are two of one week, or
     /// are not positive
@@ -44,6 +46,19 @@ class TissueGrowth
     /// grown volume V = sum of V_k g_t² g_r does.
     /// @param volumes  V_k, reference volumes of the tissues
     double mean_rate(const PerTissue<double>& volumes, double t) const;
+
+    /// Calls act for all arrays and numbers.
+    template <class Act>
+    void each_array(Act&& act)
+    {
+        act(start_);
+        act(step_);
+        for (Course& course : courses_)
+        {
+            act(course.tangential);
+            act(course.radial);
+        }
+    }
 
   private:
     /// g at evenly spaced t.

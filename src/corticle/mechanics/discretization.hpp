@@ -47,6 +47,10 @@ class Discretization
     Discretization& operator=(const Discretization&) = delete;
     virtual ~Discretization() = default;
 
+    /// Sends the positions that other ranks read of this one's nodes [mm]: evaluate() at the same positions, which must
+    /// follow, waits for those of the others and writes them into x. Of ranks that share no work, nothing.
+    virtual void exchange_positions(std::span<Vec3> /*x*/) {}
+
     /// @param x  current positions of the nodes [mm]   @param t  growth time [-]
     /// @param forces  out, one per node [mu_w mm²]: the exact negative gradient of elastic_energy + zero_mode_energy;
     /// not set when the state is invalid
@@ -60,7 +64,8 @@ class Discretization
         return 0.0;
     }
 
-    /// F at every node for given positions of the nodes.
+    /// F at every node for given positions of the nodes; where ranks share the work, all call it, and rank 0 alone gets
+    /// that of nodes it does not own.
     virtual std::vector<Mat3> deformation_gradients(std::span<const Vec3> x) const = 0;
 
     /// A node of a material point: the particle itself, or a corner of the element.

@@ -23,6 +23,8 @@ class TissueTerm final : public ForceTerm
     }
 
     std::string_view name() const override { return "tissue"; }
+    /// See Discretization::exchange_positions.
+    void exchange_positions(std::span<Vec3> x) { method_->exchange_positions(x); }
     Contribution add(const StepContext& context, std::span<Vec3> forces) override;
     std::vector<NamedEnergy> energies() const override;
     void accept(const StepContext& context, History& history) override;

@@ -26,6 +26,8 @@ class Observer
     Observer& operator=(const Observer&) = delete;
     virtual ~Observer() = default;
 
+    /// Asked before on_step: whether it is to see the whole state there, and not only what all ranks know.
+    virtual bool wants_state() { return false; }
     /// A step was taken that did not reach an output time.
     virtual void on_step(const Simulation& /*simulation*/) {}
     virtual void on_output(const OutputView& /*view*/) {}
@@ -36,6 +38,7 @@ class Observer
 /// @param times   growth times of the outputs, ascending; those before the present state are passed over
 /// @param first   number of the first of them
 /// @param stop    asked after every step; true ends the run there
+/// Of several ranks all call it, and rank 0 alone has observers; any rank can stop the run.
 RunStatus fold(Simulation& simulation, std::span<const double> times, std::size_t first,
                std::span<Observer* const> observers, const std::function<bool()>& stop);
 

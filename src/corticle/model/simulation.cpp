@@ -2,7 +2,6 @@
 #include "corticle/model/simulation.hpp"
 
 #include "corticle/base/error.hpp"
-#include "corticle/base/gather.hpp"
 #include "corticle/base/parallel.hpp"
 #include "corticle/base/stopwatch.hpp"
 #include "corticle/mesh/triangle_mesh.hpp"
@@ -72,11 +71,17 @@ material::PerTissue<double> tissue_volumes(const Model& model, const State& stat
 } // namespace
 
 Simulation::Simulation(std::shared_ptr<const Model> model, const SimulationOptions& options)
+    : Simulation(model, options, Share(std::ssize(model->cloud.positions)))
+{
+}
+
+Simulation::Simulation(std::shared_ptr<const Model> model, const SimulationOptions& options, const Share& share)
     : model_(std::move(model)), options_(std::make_unique<const SimulationOptions>(options)),
-      state_(std::make_unique<State>(starting_state(*model_, *options_))), terms_(make_terms(*model_, *options_)),
-      mass_(model_->cloud.volumes), total_time_(loading_time(*model_, *options_)),
-      damping_(options_->dynamics.damping / total_time_), centre_(centre_of_mass(model_->cloud.positions, mass_)),
-      tissue_volumes_(tissue_volumes(*model_, *state_)),
+      state_(std::make_unique<State>(starting_state(*model_, *options_))), share_(std::make_unique<const Share>(share)),
+      known_(*share_, nodes_of_terms(*model_, *options_)), held_(*share_, held_nodes(*model_, *options_)),
+      terms_(make_terms(*model_, *options_)), mass_(model_->cloud.volumes),
+      total_time_(loading_time(*model_, *options_)), damping_(options_->dynamics.damping / total_time_),
+      centre_(centre_of_mass(model_->cloud.positions, mass_)), tissue_volumes_(tissue_volumes(*model_, *state_)),
       rest_dt_(options_->dynamics.time_step > 0.0
                    ? options_->dynamics.time_step * total_time_
                    : dynamics::critical_step(options_->dynamics.cfl, model_->cloud.spacing,
@@ -84,7 +89,7 @@ Simulation::Simulation(std::shared_ptr<const Model> model, const SimulationOptio
       loading_(options_->dynamics, options_->tissue, options_->time.start)
 {
     auto remodelling = make_remodelling(*model_, *options_);
-    auto method = make_discretization(*model_, *options_, *state_, remodelling.get());
+    auto method = make_discretization(*model_, *options_, *state_, remodelling.get(), *share_);
     auto tissue = std::make_unique<mechanics::TissueTerm>(
         std::move(method), model_->cloud.spacing, options_->dynamics.time_step * total_time_, std::move(remodelling));
     tissue_ = tissue.get();
@@ -99,6 +104,7 @@ Simulation::Simulation(std::shared_ptr<const Model> model, const SimulationOptio
 
 void Simulation::add_term(std::unique_ptr<mechanics::ForceTerm> term)
 {
+    refuse_for_ranks("forces from outside");
     const auto before = std::ranges::find_if(terms_, [](const auto& other) { return other->comes_last(); });
     const auto place = before - terms_.begin(); // before the list may move
     terms_.insert(before, std::move(term));
@@ -116,6 +122,7 @@ void Simulation::add_term(std::unique_ptr<mechanics::ForceTerm> term)
 
 void Simulation::set_growth_law(std::unique_ptr<GrowthLaw> law)
 {
+    refuse_for_ranks("a growth law from outside");
     if (law_ || state_->steps > 0)
     {
         throw InputError(fmt::format("growth law: got one at step {}{}, expected one law, before the first step",
@@ -170,7 +177,7 @@ void Simulation::start_moving()
     }
     std::ranges::transform(state_->motion.x, state_->motion.v.begin(),
                            [&](const Vec3& x) { return around.velocity(x); });
-    state_->kinetic_energy = dynamics::kinetic_energies(state_->motion, mass_, around).whole;
+    state_->kinetic_energy = dynamics::kinetic_energies(state_->motion, mass_, around, *share_).whole;
     state_->energy_balance.growth_work = state_->kinetic_energy;
 }
 
@@ -202,7 +209,7 @@ void Simulation::start()
         give_up(state_->motion, state_->t, 0.0);
     }
     now_ = trial_sum_;
-    relative_kinetic_energy_ = dynamics::kinetic_energies(state_->motion, mass_, medium(state_->t)).relative;
+    relative_kinetic_energy_ = dynamics::kinetic_energies(state_->motion, mass_, medium(state_->t), *share_).relative;
 }
 
 void Simulation::step(double t_stop)
@@ -227,31 +234,30 @@ void Simulation::step(double t_stop)
     }
 }
 
-std::vector<Vec3> Simulation::hand_over_positions()
-{
-    std::vector<Vec3> positions = std::move(state_->motion.x);
-    state_->motion.x = positions;
-    return positions;
-}
-
 /// Where a step from the present state leads; nothing where it inverts a particle on the way.
 std::optional<dynamics::StepEnergies> Simulation::advance(const dynamics::StepPlan& plan)
 {
     const dynamics::Medium around = medium(plan.t_before);
     if (options_->dynamics.integrator == dynamics::Integrator::symplectic_euler)
     {
-        dynamics::StepEnergies energies = dynamics::advance(state_->motion, mass_, plan.dt, around, trial_);
+        dynamics::StepEnergies energies = dynamics::advance(state_->motion, mass_, plan.dt, around, *share_, trial_);
+        known_.gather(trial_.x, trial_.v);
         trial_travel_ = limit_travel(plan, energies.longest);
         const double change = trial_travel_.supplied - trial_travel_.energy;
         energies.kinetic += change;
         energies.relative += change;
         return energies;
     }
-    return runge_kutta_.advance(
-        state_->motion, mass_, plan.dt, around,
+    const auto energies = runge_kutta_.advance(
+        state_->motion, mass_, plan.dt, around, *share_,
         [&](dynamics::Motion& stage, double part)
-        { return evaluate(stage, plan.t_before + part * (plan.t - plan.t_before), part * plan.dt); },
+        {
+            known_.gather(stage.x, stage.v);
+            return evaluate(stage, plan.t_before + part * (plan.t - plan.t_before), part * plan.dt);
+        },
         trial_);
+    known_.gather(trial_.x, trial_.v);
+    return energies;
 }
 
 mechanics::TravelTaken Simulation::limit_travel(const dynamics::StepPlan& plan, double longest)
@@ -273,13 +279,18 @@ bool Simulation::evaluate(dynamics::Motion& motion, double t, double dt)
     {
         grow_by_law(t);
     }
-    move_layer(t);
+    move_layer(t, *share_);
     const mechanics::StepContext context{t, state_->t, dt, options_->dynamics.cfl, motion.x, motion.v, state_->history};
     trial_sum_ = {};
+    tissue_->exchange_positions(motion.x);
     for (std::size_t k = 0; k < terms_.size() && trial_sum_.invalid_at < 0; ++k)
     {
         const Stopwatch watch(seconds_[k]);
         const mechanics::Contribution contribution = terms_[k]->add(context, motion.force);
+        if (terms_[k].get() == tissue_)
+        {
+            held_.gather(motion.force);
+        }
         stable_steps_[k] = contribution.stable_step;
         trial_sum_ += contribution;
     }
@@ -292,20 +303,20 @@ void Simulation::grow_by_law(double t)
     law_->show_present(*state_);
     if (t > state_->t)
     {
-        move_layer(state_->t);
+        move_layer(state_->t, *share_);
         tissue_->show_present(
             {state_->t, state_->t, 0.0, options_->dynamics.cfl, state_->motion.x, state_->motion.v, state_->history});
         law_->grow(*this, t, *state_);
     }
 }
 
-/// theta at growth time t, at the nodes and in the elements.
-void Simulation::move_layer(double t)
+/// theta at growth time t, at the nodes of a share and in the elements.
+void Simulation::move_layer(double t, const Share& share)
 {
     const material::ReferenceSize size = cortex_size(*options_);
     if (material::layer_moves(model_->tissue, options_->tissue, size))
     {
-        material::set_layer(model_->tissue, options_->tissue, size, t, state_->nodes);
+        material::set_layer(model_->tissue, options_->tissue, size, t, share, state_->nodes);
         if (model_->fem)
         {
             material::set_layer(model_->fem->tissue, options_->tissue, size, t, state_->elements);
@@ -358,36 +369,6 @@ void Simulation::note_onset()
     {
         state_->onset_t = state_->t;
     }
-}
-
-std::vector<mechanics::NamedEnergy> Simulation::energies() const
-{
-    std::vector<mechanics::NamedEnergy> all;
-    for (const auto& term : terms_)
-    {
-        std::ranges::copy(term->energies(), std::back_inserter(all));
-    }
-    return all;
-}
-
-double Simulation::seconds_of(std::string_view term) const
-{
-    double sum = 0.0;
-    for (std::size_t k = 0; k < terms_.size(); ++k)
-    {
-        sum += terms_[k]->name() == term ? seconds_[k] : 0.0;
-    }
-    return sum;
-}
-
-std::vector<Vec3> Simulation::surface_positions() const
-{
-    return gather<Vec3>(state_->motion.x, model_->cloud.surface_particles);
-}
-
-Vec3 Simulation::place_of_smallest_J() const
-{
-    return tissue_->method().place_of(std::max<std::int64_t>(internal().smallest_J_at, 0), state_->motion.x);
 }
 
 } // namespace corticle::model

@@ -6,6 +6,7 @@
 #include "corticle/dynamics/step_plan.hpp"
 #include "corticle/mechanics/contact/contact_term.hpp"
 #include "corticle/mechanics/tissue_term.hpp"
+#include "corticle/mesh/replica.hpp"
 #include "corticle/model/growth_law.hpp"
 #include "corticle/model/model.hpp"
 #include "corticle/model/options.hpp"
@@ -24,6 +25,10 @@ class Simulation
   public:
     /// Several simulations may share a model.
     Simulation(std::shared_ptr<const Model> model, const SimulationOptions& options);
+    /// The part of one of several ranks, each of which makes one and takes the same steps with it: all that follows is
+    /// collective, and what it says of the whole body is the same on all ranks. Vectors of single nodes are right for
+    /// the own ones, those that the own ones read, and those of the surface, and on rank 0 after complete() for all.
+    Simulation(std::shared_ptr<const Model> model, const SimulationOptions& options, const Share& share);
 
     /// One more force on the nodes, from the present state on. What the force throws there leaves it out again.
     void add_term(std::unique_ptr<mechanics::ForceTerm> term);
@@ -45,7 +50,11 @@ class Simulation
     /// positions without copying them, and want what they see to stay as it is.
     std::vector<Vec3> hand_over_positions();
 
+    /// Brings the whole state to rank 0.
+    void complete();
+
     const Model& model() const { return *model_; }
+    const Share& share() const { return *share_; }
     const SimulationOptions& options() const { return *options_; }
     const State& state() const { return *state_; }
     /// The tissue at the nodes, now.
@@ -87,8 +96,9 @@ class Simulation
     void start();
     dynamics::Medium medium(double t) const;
     void grow_by_law(double t);
-    void move_layer(double t);
+    void move_layer(double t, const Share& share);
     bool evaluate(dynamics::Motion& motion, double t, double dt);
+    void refuse_for_ranks(const char* what) const;
     std::optional<dynamics::StepEnergies> advance(const dynamics::StepPlan& plan);
     mechanics::TravelTaken limit_travel(const dynamics::StepPlan& plan, double longest);
     void commit(const dynamics::StepPlan& plan, const dynamics::StepEnergies& energies);
@@ -101,6 +111,9 @@ class Simulation
     std::shared_ptr<const Model> model_;
     std::unique_ptr<const SimulationOptions> options_;
     std::unique_ptr<State> state_;
+    std::unique_ptr<const Share> share_;
+    Replica known_; ///< nodes that terms other than the tissue look at
+    Replica held_;  ///< nodes whose forces supports take
     std::vector<std::unique_ptr<mechanics::ForceTerm>> terms_;
     mechanics::TissueTerm* tissue_ = nullptr;       ///< the first of them
     const contact::ContactTerm* contact_ = nullptr; ///< or none

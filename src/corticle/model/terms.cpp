@@ -22,9 +22,25 @@ std::unique_ptr<mechanics::Remodelling> make_remodelling(const Model& model, con
                         : nullptr;
 }
 
+bool shares_work(const SimulationOptions& options)
+{
+    return options.method == Method::tlsph && options.formulation == thesis::Formulation::corrected;
+}
+
+Share make_share(const Model& model, const SimulationOptions& options, const Communicator& ranks)
+{
+    if (ranks.size() == 1 || !shares_work(options))
+    {
+        return Share(std::ssize(model.cloud.positions), ranks);
+    }
+    return {make_partition(std::ssize(model.cloud.positions), tlsph::block_costs(model.particles), ranks.size()),
+            ranks};
+}
+
 std::unique_ptr<mechanics::Discretization> make_discretization(const Model& model, const SimulationOptions& options,
                                                                const State& state,
-                                                               const mechanics::Remodelling* remodelling)
+                                                               const mechanics::Remodelling* remodelling,
+                                                               const Share& share)
 {
     const material::RemodellingView* const history = remodelling != nullptr ? &remodelling->view() : nullptr;
     if (options.method == Method::fem)
@@ -37,7 +53,7 @@ std::unique_ptr<mechanics::Discretization> make_discretization(const Model& mode
     {
         return std::make_unique<thesis::PrintedSolver>(model.particles, tissue, options.thesis);
     }
-    return std::make_unique<tlsph::TlsphSolver>(model.particles, tissue);
+    return std::make_unique<tlsph::TlsphSolver>(model.particles, tissue, share);
 }
 
 namespace
@@ -60,6 +76,31 @@ std::shared_ptr<boundary::Skull> make_skull(const Model& model, const Simulation
 }
 
 } // namespace
+
+std::vector<std::int32_t> held_nodes(const Model& model, const SimulationOptions& options)
+{
+    std::vector<std::int32_t> nodes;
+    for (const boundary::HeldDegree& degree : boundary::held_degrees(model.cloud, options.supports))
+    {
+        nodes.push_back(degree.node);
+    }
+    return nodes;
+}
+
+std::vector<std::int32_t> nodes_of_terms(const Model& model, const SimulationOptions& options)
+{
+    std::vector<std::int32_t> nodes = held_nodes(model, options);
+    nodes.insert(nodes.end(), model.cloud.surface_particles.begin(), model.cloud.surface_particles.end());
+    for (const auto& of_vertex : model.ventricles.nodes)
+    {
+        nodes.insert(nodes.end(), of_vertex.begin(), of_vertex.end());
+    }
+    for (const tracts::TractEnd& end : model.tracts.ends)
+    {
+        nodes.insert(nodes.end(), end.nodes.begin(), end.nodes.end());
+    }
+    return nodes;
+}
 
 std::vector<std::unique_ptr<mechanics::ForceTerm>> make_terms(const Model& model, const SimulationOptions& options)
 {

@@ -15,9 +15,15 @@ Checkpointer::Checkpointer(std::filesystem::path folder, std::string case_text, 
 {
 }
 
+bool Checkpointer::wants_state()
+{
+    is_due_ = std::chrono::duration<double>(Clock::now() - saved_at_).count() > 60.0 * minutes_;
+    return is_due_;
+}
+
 void Checkpointer::on_step(const model::Simulation& simulation)
 {
-    if (std::chrono::duration<double>(Clock::now() - saved_at_).count() > 60.0 * minutes_)
+    if (is_due_)
     {
         save(simulation);
     }

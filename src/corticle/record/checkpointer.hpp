@@ -23,6 +23,7 @@ class Checkpointer final : public model::Observer
     Checkpointer(std::filesystem::path folder, std::string case_text, std::string versions, double minutes,
                  const metrics::Measuring& measuring, double& seconds);
 
+    bool wants_state() override;
     void on_step(const model::Simulation& simulation) override;
     void on_output(const model::OutputView& view) override { save(view.simulation); }
     void on_end(const model::Simulation& simulation, model::RunStatus status) override;
@@ -38,6 +39,7 @@ class Checkpointer final : public model::Observer
     const metrics::Measuring& measuring_;
     double& seconds_;
     Clock::time_point saved_at_;
+    bool is_due_ = false;
 };
 
 } // namespace corticle::record

@@ -7,6 +7,8 @@
 #include "corticle/config/case_checks.hpp"
 #include "corticle/config/case_file.hpp"
 #include "corticle/formats/atomic_file.hpp"
+#include "corticle/model/scatter.hpp"
+#include "corticle/model/terms.hpp"
 #include "corticle/record/body_file.hpp"
 #include "corticle/record/checkpointer.hpp"
 #include "corticle/record/progress.hpp"
@@ -169,9 +171,16 @@ void log_body(spdlog::logger& log, const prepare::Preparation& made)
     }
 }
 
-void log_start(spdlog::logger& log, const record::RunRequest& request, const Start& start, const std::string& versions)
+void log_start(spdlog::logger& log, const record::RunRequest& request, const Start& start, const std::string& versions,
+               const Communicator& ranks)
 {
-    log.info("corticle {}, {} threads", program_version(), thread_count());
+    log.info("corticle {}, {}{} threads", program_version(),
+             ranks.size() > 1 ? fmt::format("{} ranks of ", ranks.size()) : "", thread_count());
+    if (ranks.size() > 1 && !model::shares_work(request.options))
+    {
+        log.warn("the method of this case does not share its work: every rank does all of it, and more than one gain "
+                 "nothing");
+    }
     for (const auto& [key, checksum] : request.options.inputs)
     {
         log.info("{}: SHA-256 {}", key, checksum);
@@ -230,8 +239,9 @@ struct Observers
         }
         all.push_back(&checkpointer);
         all.insert(all.end(), host.observers.begin(), host.observers.end());
-        return model::fold(simulation, times_left(request.options, measuring.rows()), measuring.rows().size(), all,
-                           host.stop);
+        std::vector<double> times = times_left(request.options, measuring.rows());
+        host.ranks->broadcast(times);
+        return model::fold(simulation, times, measuring.rows().size(), all, host.stop);
     }
 
     metrics::Measuring measuring;
@@ -242,25 +252,64 @@ struct Observers
     bool draws;
 };
 
+/// The simulation where it starts, or goes on: rank 0 has body and state, and hands them to the others.
+model::Simulation start_simulation(const record::RunRequest& request, const Communicator& ranks, Start& start)
+{
+    const Share share = model::scatter(start.made.model, request.options, ranks);
+    model::Simulation simulation(std::make_shared<const model::Model>(std::move(start.made.model)), request.options,
+                                 share);
+    bool goes_on = start.restored.has_value();
+    ranks.broadcast(std::span(&goes_on, 1));
+    if (goes_on)
+    {
+        model::State state = ranks.is_root() ? std::move(start.restored->state) : model::State();
+        model::broadcast(state, ranks);
+        simulation.restore(std::move(state));
+    }
+    return simulation;
+}
+
+/// A run whose folder is open, and what rank 0 has ready before it starts.
+struct OpenRun
+{
+    OpenRun(const record::RunRequest& request, const RunHost& host)
+        : case_text(config::to_toml(request.options)), folder(request.out, "run")
+    {
+        record::require_usable_folder(folder, request);
+        start = prepare_start(request, host.draws, record::find_checkpoint(request, case_text));
+        const std::string versions = record::versions_after(start.earlier_versions);
+        host.opened();
+        open_folder(folder, request, case_text, start.restored.has_value());
+        log = make_log(request.out, host);
+        log_start(*log, request, start, versions, *host.ranks);
+        observers.emplace(request, start, folder, versions, log, began);
+    }
+
+    record::Recorder::Clock::time_point began = record::Recorder::Clock::now();
+    std::string case_text;
+    record::ResultFolder folder;
+    Start start;
+    std::shared_ptr<spdlog::logger> log;
+    std::optional<Observers> observers;
+};
+
 /// From the start, or from where it was left, to the end or an interruption. What fails is recorded.
-model::RunStatus record_run(const record::RunRequest& request, const RunHost& host, Start& start, Observers& observers,
-                            spdlog::logger& log)
+model::RunStatus record_run(const record::RunRequest& request, const RunHost& host, OpenRun& run)
 {
     std::optional<model::Simulation> simulation;
     const auto fail = [&](const std::string& reason)
-    { observers.recorder.record_failure(simulation ? &*simulation : nullptr, reason); };
+    { run.observers->recorder.record_failure(simulation ? &*simulation : nullptr, reason); };
     model::RunStatus status{};
     try
     {
-        simulation.emplace(std::make_shared<const model::Model>(std::move(start.made.model)), request.options);
-        log.info("forces: {}", fmt::join(names_of(simulation->terms()), ", "));
-        if (start.restored)
+        simulation.emplace(start_simulation(request, *host.ranks, run.start));
+        run.log->info("forces: {}", fmt::join(names_of(simulation->terms()), ", "));
+        if (run.start.restored)
         {
-            log.info("resumed at t = {:.6g}, step {}", start.restored->state.t, start.restored->state.steps);
-            observers.recorder.resume(start.restored->state.steps);
-            simulation->restore(std::move(start.restored->state));
+            run.log->info("resumed at t = {:.6g}, step {}", simulation->state().t, simulation->state().steps);
+            run.observers->recorder.resume(simulation->state().steps);
         }
-        status = observers.watch(*simulation, request, host);
+        status = run.observers->watch(*simulation, request, host);
     }
     catch (const std::bad_alloc&)
     {
@@ -272,34 +321,36 @@ model::RunStatus record_run(const record::RunRequest& request, const RunHost& ho
         fail(error.what());
         throw;
     }
-    observers.recorder.summarize(*simulation, status == model::RunStatus::completed ? "completed" : "interrupted");
+    run.observers->recorder.summarize(*simulation, status == model::RunStatus::completed ? "completed" : "interrupted");
     return status;
+}
+
+/// The part of the other ranks, which read and write nothing.
+model::RunStatus follow(const record::RunRequest& request, const RunHost& host)
+{
+    host.opened();
+    Start nothing;
+    model::Simulation simulation = start_simulation(request, *host.ranks, nothing);
+    std::vector<double> times;
+    host.ranks->broadcast(times);
+    return model::fold(simulation, times, 0, {}, host.stop);
 }
 
 } // namespace
 
 model::RunStatus simulate(const record::RunRequest& request, const RunHost& host)
 {
-    const record::Recorder::Clock::time_point began = record::Recorder::Clock::now();
     set_thread_count(request.threads);
-    const std::string case_text = config::to_toml(request.options);
-    record::ResultFolder folder(request.out, "run");
-    record::require_usable_folder(folder, request);
-    Start start = prepare_start(request, host.draws, record::find_checkpoint(request, case_text));
-    const std::string versions = record::versions_after(start.earlier_versions);
-
-    host.opened();
-    open_folder(folder, request, case_text, start.restored.has_value());
-    const auto log = make_log(request.out, host);
-    log_start(*log, request, start, versions);
-    Observers observers(request, start, folder, versions, log, began);
-    return record_run(request, host, start, observers, *log);
+    std::optional<OpenRun> run;
+    at_root(*host.ranks, [&] { run.emplace(request, host); });
+    return run ? record_run(request, host, *run) : follow(request, host);
 }
 
-model::RunStatus simulate(const record::RunRequest& request)
+model::RunStatus simulate(const record::RunRequest& request, const Communicator& ranks)
 {
     std::optional<InterruptionGuard> guard; // until then a signal ends the process at once
     RunHost host;
+    host.ranks = &ranks;
     host.stop = &InterruptionGuard::requested;
     host.opened = [&] { guard.emplace(); };
     if (!request.quiet)

@@ -7,6 +7,7 @@
 #include "corticle/mechanics/tlsph/pair_blocks.hpp"
 #include "corticle/mesh/cloud.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -38,6 +39,8 @@ struct EnrichedGradients
     std::vector<std::int32_t> group; ///< of every eight particles: where `fits` has theirs, -1: nowhere
     LargeVector<QuadraticFits> fits; ///< where any of the eight is enriched
 
+    /// How many such places there are.
+    std::int64_t groups() const { return group.empty() ? 0 : *std::max_element(group.begin(), group.end()) + 1; }
     /// Where among the particles of all `fits` particle i is.
     std::int64_t place(std::int64_t i) const { return wide_lanes * group[i / wide_lanes] + i % wide_lanes; }
     /// The farthest reach among the particles [begin, end).

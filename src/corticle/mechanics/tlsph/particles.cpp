@@ -4,10 +4,12 @@
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
 #include "corticle/mechanics/tlsph/kernel.hpp"
+#include "corticle/mesh/partition.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace corticle::tlsph
@@ -52,6 +54,22 @@ double condition_number(const Mat3& symmetric)
     const Eigen::Vector3d values =
         Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix, Eigen::EigenvaluesOnly).eigenvalues(); // ascending
     return values[0] > 0.0 ? values[2] / values[0] : std::numeric_limits<double>::infinity();
+}
+
+std::vector<double> block_costs(const Particles& particles)
+{
+    constexpr double of_quadratic_fit = 70.0;
+    const std::int64_t count = std::ssize(particles.X);
+    std::vector<double> costs;
+    for (std::int64_t begin = 0; begin < count; begin += partition_block)
+    {
+        const std::int64_t end = std::min(begin + partition_block, count);
+        const auto quadratic = std::count(particles.enriched.reach.begin() + begin,
+                                          particles.enriched.reach.begin() + end, EnrichedGradients::Reach::itself);
+        costs.push_back(static_cast<double>(particles.pairs.begin[end] - particles.pairs.begin[begin]) +
+                        of_quadratic_fit * static_cast<double>(quadratic));
+    }
+    return costs;
 }
 
 Particles make_particles(const Cloud& cloud, const Neighbors& neighbors, const TlsphOptions& options)

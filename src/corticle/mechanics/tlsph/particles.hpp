@@ -35,6 +35,9 @@ inline constexpr double largest_condition = 100.0;
 /// @throws InputError naming the worst particle when a shape matrix is ill-conditioned (above largest_condition).
 Particles make_particles(const Cloud& cloud, const Neighbors& neighbors, const TlsphOptions& options);
 
+/// What each block of partition_block particles costs in a step, in pairs.
+std::vector<double> block_costs(const Particles& particles);
+
 /// Ratio of the largest to the smallest eigenvalue of a symmetric positive matrix; infinite when it is not positive.
 double condition_number(const Mat3& symmetric);
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/base/parallel.hpp"
 #include "corticle/material/tissue.hpp"
 #include "corticle/mechanics/discretization.hpp"
 #include "corticle/mechanics/tlsph/pair_sums.hpp"
 #include "corticle/mechanics/tlsph/particles.hpp"
+#include "corticle/mesh/halo.hpp"
 
 #include <memory>
 
@@ -22,10 +22,16 @@ class TlsphSolver final : public mechanics::Discretization
     /// Keeps references to the first and to what the tissue refers to: they must outlive the solver. The law is
     /// material::tissue_law.
     TlsphSolver(const Particles& particles, const material::Tissue& tissue);
+    /// The part of one of several ranks; positions and forces are of all particles.
+    TlsphSolver(const Particles& particles, const material::Tissue& tissue, const Share& share);
     /// With another law: see deformation_pass.hpp.
     TlsphSolver(const Particles& particles, const material::Tissue& tissue,
                 std::unique_ptr<const DeformationPass> deformation);
+    TlsphSolver(const Particles& particles, const material::Tissue& tissue,
+                std::unique_ptr<const DeformationPass> deformation, const Share& share);
     ~TlsphSolver() override;
+
+    void exchange_positions(std::span<Vec3> x) override;
 
     mechanics::InternalResponse evaluate(std::span<const Vec3> x, double t, std::span<Vec3> forces) override;
 
@@ -33,9 +39,26 @@ class TlsphSolver final : public mechanics::Discretization
 
     std::string diagnosis(std::int64_t node, std::span<const Vec3> x) const override;
 
+    /// What other ranks read, and are read of.
+    std::span<const HaloPart> halo() const { return halo_; }
+
   private:
+    void finish_positions();
+    void start_records();
+    void finish_records(std::span<const Vec3> x);
+    template <class OfBlock>
+    void for_blocks(std::span<const std::int64_t> blocks, OfBlock&& of_block) const;
+
     const Particles& particles_;
     material::Tissue tissue_;
+    Share share_;
+    std::vector<std::int64_t> inner_blocks_; ///< own blocks that read own particles alone
+    std::vector<std::int64_t>
+        outer_blocks_; ///< the others, which read ghosts, and whose particles are ghosts elsewhere
+    std::vector<HaloPart> halo_;
+    Halo positions_;
+    Halo force_records_;
+    std::span<Vec3> exchanged_; ///< positions that are under way
     std::unique_ptr<const DeformationPass> deformation_;
     LargeVector<ForceRecord> records_;
     LargeVector<ProductTerms> products_;
