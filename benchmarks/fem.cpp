@@ -44,7 +44,8 @@ void tet_forces(benchmark::State& state)
     const model::Model model = sphere_of_tets(state.range(0), options);
     model::State start;
     start.elements = material::start_tissue(model.fem->tissue, options.tissue, {}, 0.0);
-    const auto solver = model::make_discretization(model, options, start, nullptr);
+    const Share share(std::ssize(model.cloud.positions));
+    const auto solver = model::make_discretization(model, options, start, nullptr, share);
     std::vector<Vec3> forces(model.cloud.positions.size());
     for (auto _ : state)
     {

@@ -138,15 +138,6 @@ TEST(Tracts, TheyAreDrawnFromTheirLengthAtTheStart)
     EXPECT_NEAR(term.states()[1].rest_length / term.states()[1].length, 0.8, 1e-12);
 }
 
-model::SimulationOptions options_with(const Tracts& made, model::Model& model)
-{
-    config::Options options = test::sphere_options(2500);
-    options.time.end = 0.3;
-    model = *test::small_model();
-    model.tracts = made;
-    return options;
-}
-
 TEST(Tracts, DeformABodyWithBalancedEnergyAndTheSameBitsOnResumption)
 {
     Tracts made = three_tracts(*test::small_model(), 0.7, 0.5);
