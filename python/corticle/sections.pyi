@@ -185,9 +185,9 @@ class Tracts(Section):
     stiffness: float
     rest: float
     ramp_time: float
-    rate: float
+    growth_rate: float
     pushes: bool
-    radius_mm: float
+    reach_mm: float
 
 class Support(Section):
     def __getitem__(self, number: int) -> Support1: ...

@@ -145,7 +145,7 @@ void settle_times(Options& options, const Place& place)
 void check_tracts(const Options& options, const Place& place)
 {
     for (const std::string_view key :
-         {"tracts.stiffness", "tracts.rest", "tracts.ramp_time", "tracts.rate", "tracts.pushes", "tracts.radius_mm"})
+         {"tracts.stiffness", "tracts.rest", "tracts.ramp_time", "tracts.growth_rate", "tracts.pushes", "tracts.reach_mm"})
     {
         refuse(options, key, options.tracts.file.empty(), "tracts.file", place);
     }

@@ -23,7 +23,7 @@ namespace
 
 constexpr std::array<std::string_view, 2> label_columns{"from", "to"};
 constexpr std::array<std::string_view, 6> place_columns{"from_x", "from_y", "from_z", "to_x", "to_y", "to_z"};
-constexpr std::array<std::string_view, 3> own_columns{"stiffness", "rest", "rate"};
+constexpr std::array<std::string_view, 3> own_columns{"stiffness", "rest", "growth_rate"};
 constexpr double spacings_about_a_place = 2.0;
 
 std::optional<std::size_t> column_of(const formats::TextTable& table, std::string_view name)
@@ -86,7 +86,7 @@ class TractTable
             }
             result.tracts.push_back({from, to, own(row, "stiffness", options_.stiffness, 1e-9, 1e9),
                                      own(row, "rest", options_.rest, 0.0, 10.0),
-                                     own(row, "rate", options_.rate, 0.0, 1000.0)});
+                                     own(row, "growth_rate", options_.rate, 0.0, 1000.0)});
         }
         return result;
     }

@@ -135,7 +135,7 @@ std::vector<Parameter> tract_parameters()
     return {
         path("tracts.file",
              "CSV of tracts of axons: columns from and to, labels of map.region_file, or from_x, from_y, from_z, to_x, "
-             "to_y, to_z in mm; columns stiffness, rest and rate in place of the keys below.",
+             "to_y, to_z in mm; columns stiffness, rest and growth_rate in place of the keys below.",
              CORTICLE_MEMBER(file)),
         parameter("tracts.stiffness", "mu_w mm", above(0.0, 1e9), "Force of a tract over its elongation.",
                   CORTICLE_MEMBER(stiffness)),
@@ -144,11 +144,11 @@ std::vector<Parameter> tract_parameters()
                   CORTICLE_MEMBER(rest)),
         parameter("tracts.ramp_time", "t", above(0.0, 1.0),
                   "Growth time in which it gets there from the length at the start.", CORTICLE_MEMBER(ramp_time)),
-        parameter("tracts.rate", "1/t, or 1/weeks with a clock", between(0.0, 1000.0),
+        parameter("tracts.growth_rate", "1/t, or 1/weeks with a clock", between(0.0, 1000.0),
                   "Rate at which the rest length of a stretched tract approaches its length.", CORTICLE_MEMBER(rate)),
         parameter("tracts.pushes", "", {}, "Whether a tract shorter than its rest length pushes.",
                   CORTICLE_MEMBER(pushes)),
-        parameter("tracts.radius_mm", "mm", between(0.0, 1000.0),
+        parameter("tracts.reach_mm", "mm", between(0.0, 1000.0),
                   "Distance about the place of an end within which it holds on to the tissue; 0: two spacings.",
                   CORTICLE_MEMBER(radius_mm)),
     };
