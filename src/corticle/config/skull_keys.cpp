@@ -144,8 +144,8 @@ void settle_times(Options& options, const Place& place)
 
 void check_tracts(const Options& options, const Place& place)
 {
-    for (const std::string_view key :
-         {"tracts.stiffness", "tracts.rest", "tracts.ramp_time", "tracts.growth_rate", "tracts.pushes", "tracts.reach_mm"})
+    for (const std::string_view key : {"tracts.stiffness", "tracts.rest", "tracts.ramp_time", "tracts.growth_rate",
+                                       "tracts.pushes", "tracts.reach_mm"})
     {
         refuse(options, key, options.tracts.file.empty(), "tracts.file", place);
     }
