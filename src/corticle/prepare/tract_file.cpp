@@ -5,6 +5,7 @@
 #include "corticle/formats/format_error.hpp"
 #include "corticle/formats/text_scan.hpp"
 #include "corticle/formats/text_table.hpp"
+#include "corticle/mechanics/tracts/tract_term.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -79,8 +80,9 @@ class TractTable
         {
             const std::int32_t from = end_of(row, 0, result.ends);
             const std::int32_t to = end_of(row, 1, result.ends);
-            if (norm(centroid(result.ends[static_cast<std::size_t>(from)]) -
-                     centroid(result.ends[static_cast<std::size_t>(to)])) < 1e-6 * model_.cloud.spacing)
+            const auto place = [&](std::int32_t end)
+            { return tracts::centroid(result.ends[static_cast<std::size_t>(end)], model_.cloud.positions); };
+            if (norm(place(from) - place(to)) < 1e-6 * model_.cloud.spacing)
             {
                 formats::fail_reading(where(row), "a tract of no length", "two ends in one place", "two places");
             }
@@ -173,16 +175,6 @@ class TractTable
         }
         std::ranges::for_each(end.shares, [mass](double& share) { share /= mass; });
         return end;
-    }
-
-    Vec3 centroid(const tracts::TractEnd& end) const
-    {
-        Vec3 sum;
-        for (std::size_t k = 0; k < end.nodes.size(); ++k)
-        {
-            sum += end.shares[k] * model_.cloud.positions[static_cast<std::size_t>(end.nodes[k])];
-        }
-        return sum;
     }
 
     const tracts::TractOptions& options_;

@@ -17,16 +17,6 @@ namespace
 constexpr std::string_view rest_name = "tracts.rest_mm";
 constexpr std::string_view length_name = "tracts.length_mm";
 
-Vec3 centroid(const TractEnd& end, std::span<const Vec3> x)
-{
-    Vec3 sum;
-    for (std::size_t k = 0; k < end.nodes.size(); ++k)
-    {
-        sum += end.shares[k] * x[static_cast<std::size_t>(end.nodes[k])];
-    }
-    return sum;
-}
-
 /// Acceleration of the centroid of an end per force on it.
 double mobility(const TractEnd& end, std::span<const double> masses)
 {
@@ -69,6 +59,16 @@ void keep(std::string_view name, const std::vector<double>& values, mechanics::H
 }
 
 } // namespace
+
+Vec3 centroid(const TractEnd& end, std::span<const Vec3> x)
+{
+    Vec3 sum;
+    for (std::size_t k = 0; k < end.nodes.size(); ++k)
+    {
+        sum += end.shares[k] * x[static_cast<std::size_t>(end.nodes[k])];
+    }
+    return sum;
+}
 
 TractTerm::TractTerm(Tracts tracts, std::span<const Vec3> X, std::span<const double> masses,
                      const mechanics::RunClock& clock)

@@ -8,6 +8,9 @@
 namespace corticle::tracts
 {
 
+/// Where an end is, x being the positions of all nodes [mm].
+Vec3 centroid(const TractEnd& end, std::span<const Vec3> x);
+
 /// What a tract does at present.
 struct TractState
 {
