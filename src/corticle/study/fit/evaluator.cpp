@@ -6,7 +6,6 @@
 #include "corticle/config/case_inputs.hpp"
 #include "corticle/config/case_text.hpp"
 #include "corticle/formats/atomic_file.hpp"
-#include "corticle/formats/sha256.hpp"
 #include "corticle/study/interruption.hpp"
 #include "corticle/study/sweep/sweep_jobs.hpp"
 #include "corticle/study/sweep/sweep_runs.hpp"
@@ -26,7 +25,6 @@ namespace
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t key_digits = 16;
 constexpr int most_tries = 2; // of a run that something else than itself ends
 
 /// What happened to runs that did not say it themselves: {"0123...": "reason"}.
@@ -86,7 +84,7 @@ Evaluator::Planned Evaluator::plan(const Point& u, const std::string& stage, std
     try
     {
         const config::Options options = options_at(u, more);
-        planned.key = formats::sha256_of_text(sweep::case_identity(options)).substr(0, key_digits);
+        planned.key = sweep::run_key(options);
         planned.evaluation.folder = "runs/" + planned.key;
         planned.job = {making_.out / "cases" / (planned.key + ".toml"),
                        making_.runs / planned.key,

@@ -6,7 +6,6 @@
 #include "corticle/config/case_inputs.hpp"
 #include "corticle/formats/atomic_file.hpp"
 #include "corticle/formats/label_table.hpp"
-#include "corticle/formats/sha256.hpp"
 #include "corticle/formats/vtk_files.hpp"
 #include "corticle/metrics/region_areas.hpp"
 #include "corticle/record/result_folder.hpp"
@@ -32,8 +31,6 @@ namespace
 namespace fs = std::filesystem;
 
 using Areas = std::map<std::int64_t, double>;
-
-constexpr std::size_t key_digits = 16; // of the names of run folders
 
 Areas read_areas(const fs::path& file)
 {
@@ -177,7 +174,7 @@ bool Search::run(std::size_t round, fs::path& folder) const
     formats::write_text_atomically(table(round), table_text(round));
     config::Options chosen = options(round);
     config::identify_inputs(chosen);
-    const std::string key = formats::sha256_of_text(sweep::case_identity(chosen)).substr(0, key_digits);
+    const std::string key = sweep::run_key(chosen);
     const fs::path case_file = out_ / "cases" / (key + ".toml");
     formats::write_text_atomically(case_file, config::to_toml(chosen));
     folder = out_ / "runs" / key;

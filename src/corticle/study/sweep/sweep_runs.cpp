@@ -6,6 +6,7 @@
 #include "corticle/config/case_inputs.hpp"
 #include "corticle/config/case_text.hpp"
 #include "corticle/config/toml_document.hpp"
+#include "corticle/formats/sha256.hpp"
 
 #include <fmt/format.h>
 
@@ -209,6 +210,12 @@ std::string case_identity(config::Options options)
     options.output.checkpoint_minutes = defaults.checkpoint_minutes;
     config::forget_names(options);
     return config::to_toml(options);
+}
+
+std::string run_key(const config::Options& options)
+{
+    constexpr std::size_t digits = 16;
+    return formats::sha256_of_text(case_identity(options)).substr(0, digits);
 }
 
 std::vector<bool> chosen_runs(const SweepFile& sweep, std::span<const SweepRun> runs, std::span<const std::string> only)

@@ -31,6 +31,9 @@ std::vector<SweepRun> sweep_runs(const SweepFile& sweep);
 /// decide about pictures and checkpoints.
 std::string case_identity(config::Options options);
 
+/// A name for the folder of a run that says what makes it: the first 16 digits of the checksum of its case_identity.
+std::string run_key(const config::Options& options);
+
 /// The runs that `only` names, each by its number (from 1), its name, or "section.key=value" for all runs with this
 /// value; all where it is empty.
 /// @throws InputError for one that names none
