@@ -3,6 +3,7 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/formats/vtk_files.hpp"
+#include "corticle/mesh/sizes.hpp"
 #include "corticle/study/comparison/run_comparison.hpp"
 #include "corticle/view/run_pictures.hpp"
 
@@ -65,12 +66,20 @@ double chosen_time(std::span<const record::RunContents> runs, std::span<const do
                                  runs.size()));
 }
 
-void require_same_body(const record::Frame& first, const record::Frame& other, const record::RunContents& of,
+/// A comparison of surfaces has no need of the particles, which are most of a frame.
+TriangleMesh surface_of(const record::FrameFiles& frame)
+{
+    TriangleMesh mesh = formats::read_surface_vtp(frame.surface).mesh;
+    require_finite(frame.surface.string(), mesh.vertices);
+    return mesh;
+}
+
+void require_same_body(const record::Frame& first, const TriangleMesh& other, const record::RunContents& of,
                        const record::RunContents& against)
 {
     const double near = same_place * first.spacing;
     if (other.triangles != first.triangles ||
-        !std::ranges::equal(other.surface, first.surface,
+        !std::ranges::equal(other.vertices, first.surface,
                             [near](const Vec3& a, const Vec3& b) { return norm(a - b) <= near; }))
     {
         throw InputError(fmt::format("{}: is of another body than {}; expected runs of one body, with the same "
@@ -119,8 +128,8 @@ RunVariation compare_many_runs(std::span<const std::filesystem::path> folders, s
     std::vector<std::vector<Vec3>> surfaces;
     for (const record::RunContents& run : result.runs)
     {
-        require_same_body(first, record::read_frame(run.frames.front()), run, result.runs[0]);
-        surfaces.push_back(record::read_frame(*frame_at(run, result.t)).surface);
+        require_same_body(first, surface_of(run.frames.front()), run, result.runs[0]);
+        surfaces.push_back(surface_of(*frame_at(run, result.t)).vertices);
     }
     std::vector<metrics::SurfaceView> views;
     std::ranges::transform(surfaces, std::back_inserter(views),
