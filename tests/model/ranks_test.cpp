@@ -40,16 +40,6 @@ config::Options options_of(const Trial& trial)
     return options;
 }
 
-model::State rough_start(const model::Model& body, double amplitude)
-{
-    model::State state;
-    state.motion.x = test::perturbed(body.cloud.positions, amplitude * body.cloud.spacing);
-    state.motion.v.resize(state.motion.x.size());
-    state.onset_t = 0.0;
-    state.loading_rate = 2.0;
-    return state;
-}
-
 /// The simulation after some steps, as one of the ranks makes them.
 std::unique_ptr<model::Simulation> simulated(const std::shared_ptr<const model::Model>& body, const Trial& trial,
                                              const Communicator& ranks, int steps)
@@ -58,7 +48,7 @@ std::unique_ptr<model::Simulation> simulated(const std::shared_ptr<const model::
     model::Model part = ranks.is_root() ? *body : model::Model();
     const Share share = model::scatter(part, options, ranks);
     auto simulation = std::make_unique<model::Simulation>(test::shared(part), options, share);
-    model::State start = ranks.is_root() ? rough_start(*body, trial.amplitude) : model::State();
+    model::State start = ranks.is_root() ? test::rough_start(*body, trial.amplitude) : model::State();
     model::broadcast(start, ranks);
     simulation->restore(start);
     test::take_steps(*simulation, steps);
@@ -177,7 +167,7 @@ TEST(RanksThatFail, SayTheSameWhoeverOwnsTheParticle)
     const auto body = test::shared(prepare::prepare_body(options_of(trial)).model);
     const auto fail = [&](const Communicator& ranks)
     {
-        model::State state = rough_start(*body, 0.05);
+        model::State state = test::rough_start(*body, 0.05);
         state.motion.x[8000] = -1.0 * state.motion.x[8000];
         const config::Options options = options_of(trial);
         model::Simulation simulation(body, options, model::make_share(*body, options, ranks));

@@ -2,11 +2,24 @@
 #pragma once
 
 #include "corticle/model/simulation.hpp"
+#include "mechanics/tlsph/small_body.hpp"
 
 #include <gtest/gtest.h>
 
 namespace corticle::test
 {
+
+/// Positions a little rough, so that no symmetry hides anything; folds are said to be there, so that the loading is
+/// free.
+inline model::State rough_start(const model::Model& body, double amplitude)
+{
+    model::State state;
+    state.motion.x = test::perturbed(body.cloud.positions, amplitude * body.cloud.spacing);
+    state.motion.v.resize(state.motion.x.size());
+    state.onset_t = 0.0;
+    state.loading_rate = 2.0;
+    return state;
+}
 
 inline void take_steps(model::Simulation& simulation, int count)
 {

@@ -17,19 +17,8 @@ namespace corticle
 namespace
 {
 
-/// Positions a little rough, so that no symmetry hides anything; folds are said to be there, so that the loading is
-/// free.
-model::State rough_start(const model::Model& body, double amplitude)
-{
-    model::State state;
-    state.motion.x = test::perturbed(body.cloud.positions, amplitude * body.cloud.spacing);
-    state.motion.v.resize(state.motion.x.size());
-    state.onset_t = 0.0;
-    state.loading_rate = 2.0;
-    return state;
-}
-
 using test::expect_same_bits;
+using test::rough_start;
 using test::take_steps;
 using testing::ContainsRegex;
 using testing::HasSubstr;
