@@ -28,7 +28,7 @@ double find_candidates(const FoldedSphere& surface, contact::SurfaceParts& parts
     constexpr double dhat = 0.3;  // [spacings]
     constexpr double reach = 0.2; // [spacings]
     contact::Candidates found;
-    parts.find_candidates(surface.x, dhat, std::vector(surface.x.size(), reach), found);
+    parts.find_candidates(surface.x, dhat, std::vector(surface.x.size(), reach), {}, found);
     return count(found);
 }
 

@@ -6,6 +6,7 @@
 #include "corticle/config/remodelling_keys.hpp"
 #include "corticle/config/tissue_keys.hpp"
 #include "corticle/prepare/body_maps.hpp"
+#include "corticle/prepare/patterning.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -147,6 +148,11 @@ void check_maps(const prepare::MapOptions& map, const Place& place)
             fmt::format("{}{} is given without {}: expected both or neither", given, place(given), missing));
     }
     check_growth_times(map, place);
+    if (map.modes.size() > prepare::growth_mode_count)
+    {
+        throw InputError(fmt::format("map.modes{}: got {} amplitudes, expected at most {}", place("map.modes"),
+                                     map.modes.size(), prepare::growth_mode_count));
+    }
     for (const std::string_view key : {"map.protomap_wavelength_mm", "map.protomap_seed"})
     {
         if (map.protomap_amplitude == 0.0 && !place(key).empty())

@@ -93,6 +93,9 @@ class ForceTerm
     /// What it stores at the positions last asked for, by kind.
     virtual std::vector<NamedEnergy> energies() const { return {}; }
 
+    /// Gathers what energies() needs of other ranks. Collective.
+    virtual void complete() {}
+
     /// Whether it takes the forces of all others, as supports do.
     virtual bool comes_last() const { return false; }
 

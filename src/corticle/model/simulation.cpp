@@ -79,7 +79,7 @@ Simulation::Simulation(std::shared_ptr<const Model> model, const SimulationOptio
     : model_(std::move(model)), options_(std::make_unique<const SimulationOptions>(options)),
       state_(std::make_unique<State>(starting_state(*model_, *options_))), share_(std::make_unique<const Share>(share)),
       known_(*share_, nodes_of_terms(*model_, *options_)), held_(*share_, held_nodes(*model_, *options_)),
-      terms_(make_terms(*model_, *options_)), mass_(model_->cloud.volumes),
+      terms_(make_terms(*model_, *options_, *share_)), mass_(model_->cloud.volumes),
       total_time_(loading_time(*model_, *options_)), damping_(options_->dynamics.damping / total_time_),
       centre_(centre_of_mass(model_->cloud.positions, mass_)), tissue_volumes_(tissue_volumes(*model_, *state_)),
       rest_dt_(options_->dynamics.time_step > 0.0
@@ -286,11 +286,11 @@ bool Simulation::evaluate(dynamics::Motion& motion, double t, double dt)
     for (std::size_t k = 0; k < terms_.size() && trial_sum_.invalid_at < 0; ++k)
     {
         const Stopwatch watch(seconds_[k]);
-        const mechanics::Contribution contribution = terms_[k]->add(context, motion.force);
-        if (terms_[k].get() == tissue_)
+        if (terms_[k]->comes_last())
         {
             held_.gather(motion.force);
         }
+        const mechanics::Contribution contribution = terms_[k]->add(context, motion.force);
         stable_steps_[k] = contribution.stable_step;
         trial_sum_ += contribution;
     }

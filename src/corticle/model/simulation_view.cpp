@@ -23,6 +23,10 @@ void Simulation::complete()
     {
         share_->gather_at_root(std::span(*vectors));
     }
+    for (const auto& term : terms_)
+    {
+        term->complete();
+    }
     move_layer(state_->t, Share(share_->particles()));
     for (auto& [name, values] : state_->history)
     {

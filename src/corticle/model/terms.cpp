@@ -102,7 +102,8 @@ std::vector<std::int32_t> nodes_of_terms(const Model& model, const SimulationOpt
     return nodes;
 }
 
-std::vector<std::unique_ptr<mechanics::ForceTerm>> make_terms(const Model& model, const SimulationOptions& options)
+std::vector<std::unique_ptr<mechanics::ForceTerm>> make_terms(const Model& model, const SimulationOptions& options,
+                                                              const Share& share)
 {
     std::vector<std::unique_ptr<mechanics::ForceTerm>> terms;
     const std::shared_ptr<boundary::Skull> skull = make_skull(model, options);
@@ -126,7 +127,7 @@ std::vector<std::unique_ptr<mechanics::ForceTerm>> make_terms(const Model& model
     {
         terms.push_back(std::make_unique<contact::ContactTerm>(
             model.cloud, model.surface, model.cloud.volumes, material::wave_speed(options.tissue) / model.cloud.spacing,
-            options.contact, options.dynamics.time_step > 0.0, skull));
+            options.contact, options.dynamics.time_step > 0.0, share, skull));
     }
     if (!options.supports.empty())
     {

@@ -34,6 +34,7 @@ std::vector<std::int32_t> held_nodes(const Model& model, const SimulationOptions
 std::vector<std::int32_t> nodes_of_terms(const Model& model, const SimulationOptions& options);
 
 /// The forces of a simulation besides those of the tissue. Refer to the model.
-std::vector<std::unique_ptr<mechanics::ForceTerm>> make_terms(const Model& model, const SimulationOptions& options);
+std::vector<std::unique_ptr<mechanics::ForceTerm>> make_terms(const Model& model, const SimulationOptions& options,
+                                                              const Share& share);
 
 } // namespace corticle::model

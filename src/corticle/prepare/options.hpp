@@ -102,6 +102,7 @@ struct MapOptions
     double protomap_amplitude = 0.0;  ///< standard deviation of a random map, by which m is multiplied [-]
     double protomap_wavelength_mm = 10.0;
     std::int64_t protomap_seed = 1;
+    std::vector<double> modes;   ///< amplitudes of smooth modes by which m is multiplied, see growth_mode [-]
     std::string thickness_file;  ///< cortical thickness at t = 0 [mm], the same way
     std::string thickness_array; ///< which array of that file
     std::string still_file;      ///< where this is not 0 nothing grows, the same way, or a label volume

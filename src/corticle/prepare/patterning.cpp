@@ -4,6 +4,8 @@
 #include "corticle/base/parallel.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace corticle::prepare
 {
@@ -39,6 +41,58 @@ void apply_protomap(const MapOptions& options, std::span<const Vec3> places, mat
                      const auto k = static_cast<std::size_t>(i);
                      const Vec3 foot = places[k] + tissue.depth[k] * tissue.normal[k];
                      tissue.regional_rate[k] *= std::max(0.0, 1.0 + options.protomap_amplitude * waves.at(foot));
+                 });
+}
+
+double growth_mode(std::size_t mode, const Vec3& direction)
+{
+    const auto& [x, y, z] = std::array{direction.x, direction.y, direction.z};
+    const std::array<double, growth_mode_count> modes{
+        std::sqrt(3.0) * y,
+        std::sqrt(3.0) * z,
+        std::sqrt(3.0) * x,
+        std::sqrt(15.0) * x * y,
+        std::sqrt(15.0) * y * z,
+        std::sqrt(5.0) / 2.0 * (3.0 * z * z - 1.0),
+        std::sqrt(15.0) * x * z,
+        std::sqrt(15.0) / 2.0 * (x * x - y * y),
+        std::sqrt(35.0 / 8.0) * y * (3.0 * x * x - y * y),
+        std::sqrt(105.0) * x * y * z,
+        std::sqrt(21.0 / 8.0) * y * (5.0 * z * z - 1.0),
+        std::sqrt(7.0) / 2.0 * z * (5.0 * z * z - 3.0),
+        std::sqrt(21.0 / 8.0) * x * (5.0 * z * z - 1.0),
+        std::sqrt(105.0) / 2.0 * z * (x * x - y * y),
+        std::sqrt(35.0 / 8.0) * x * (x * x - 3.0 * y * y),
+    };
+    return modes.at(mode);
+}
+
+void apply_modes(std::span<const double> amplitudes, std::span<const Vec3> places, material::TissueFields& tissue)
+{
+    if (amplitudes.empty())
+    {
+        return;
+    }
+    Vec3 moment;
+    double volume = 0.0;
+    for (std::size_t k = 0; k < places.size(); ++k)
+    {
+        moment += tissue.volume[k] * places[k];
+        volume += tissue.volume[k];
+    }
+    const Vec3 centre = moment / volume;
+    parallel_for(std::ssize(places),
+                 [&](std::int64_t i)
+                 {
+                     const auto k = static_cast<std::size_t>(i);
+                     const Vec3 foot = places[k] + tissue.depth[k] * tissue.normal[k];
+                     const Vec3 direction = normalized(foot - centre);
+                     double factor = 1.0;
+                     for (std::size_t mode = 0; mode < amplitudes.size(); ++mode)
+                     {
+                         factor += amplitudes[mode] * growth_mode(mode, direction);
+                     }
+                     tissue.regional_rate[k] *= std::max(0.0, factor);
                  });
 }
 

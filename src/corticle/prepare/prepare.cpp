@@ -198,6 +198,7 @@ void set_regional_rate(const PreparationOptions& options, double thickness, std:
     tissue.regional_rate = tissue.mapped_rate;
     set_growth_times(options, tissue.growth_maps);
     apply_protomap(options.map, places, tissue);
+    apply_modes(options.map.modes, places, tissue);
     const double amplitude = imperfection_amplitude(options);
     if (amplitude > 0.0)
     {
@@ -330,15 +331,15 @@ void connect_body(const PreparationOptions& options, Preparation& made)
     model::Model& model = made.model;
     const std::vector<Vec3>& X = model.cloud.positions;
     const double mean = mean_thickness(options, model);
-    set_regional_rate(options, mean, material_places(model), model.tissue);
     complete_tissue(options, X, material_places(model), model.cloud.volumes, model.tissue);
+    set_regional_rate(options, mean, material_places(model), model.tissue);
     set_fibres(options, model.cloud, material_places(model), model.tissue);
     if (model.fem)
     {
         const fem::TetElements& elements = model.fem->elements;
         const std::vector<Vec3> places = fem::centroids(X, elements.tets);
-        set_regional_rate(options, mean, places, model.fem->tissue);
         complete_tissue(options, X, places, elements.volume, model.fem->tissue);
+        set_regional_rate(options, mean, places, model.fem->tissue);
         set_fibres(options, model.cloud, places, model.fem->tissue);
     }
     else

@@ -74,7 +74,7 @@ TEST(Candidates, EqualThoseOfABruteForceSearchOnACrumpledSurface)
         }
         ASSERT_GT(vertex_triangle.size(), 50u);
         contact::Candidates found;
-        parts.find_candidates(x, range, reach, found);
+        parts.find_candidates(x, range, reach, {}, found);
         std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
         for (const contact::VertexTriangle& pair : found.vertex_triangle)
         {
@@ -102,7 +102,7 @@ TEST(Candidates, StandInTheSameOrderInAShortAndALongList)
     const auto edge_pairs = [&](double reach)
     {
         contact::Candidates found;
-        parts.find_candidates(x, 0.05, std::vector(x.size(), reach), found);
+        parts.find_candidates(x, 0.05, std::vector(x.size(), reach), {}, found);
         return found.edge_edge;
     };
     const std::vector<contact::EdgeEdge> few = edge_pairs(0.0);

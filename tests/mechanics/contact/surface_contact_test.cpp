@@ -274,7 +274,7 @@ TEST(SurfaceContact, OnlyTheClosestTrianglePushes)
                                     {true, 0.3, stiffness});
     const std::vector<double> reach(x.size());
     contact::Candidates found;
-    contact::SurfaceParts(triangles, x).find_candidates(x, 0.3, reach, found);
+    contact::SurfaceParts(triangles, x).find_candidates(x, 0.3, reach, {}, found);
     EXPECT_EQ(std::ranges::count(found.vertex_triangle, 0, &contact::VertexTriangle::vertex), 2);
     const Evaluated result = evaluate(contact, x);
     EXPECT_LT(result.forces[0].z, 0.0);

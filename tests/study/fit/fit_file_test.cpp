@@ -71,6 +71,26 @@ TEST_F(FitFile, ParametersAreScaled)
     EXPECT_FALSE(fit.search);
 }
 
+TEST_F(FitFile, ANumberOfAListIsAParameter)
+{
+    const std::string mode = "[[parameter]]\nkey = \"map.modes.{}\"\nlow = -0.3\nhigh = 0.5\n";
+    const auto of = [&](const std::string& number) { return std::string(mode).replace(mode.find("{}"), 2, number); };
+    const fit::FitFile fit = parse(of("3") + of("1") + target + "[set]\nmap.modes = [0.05, -0.1]\n");
+    EXPECT_EQ(fit.space.parameters[0].name(), "modes.3");
+    EXPECT_NEAR(fit.space.values(fit.space.start())[0], 0.0, 1e-12); // beyond the list of the base
+    EXPECT_NEAR(fit.space.values(fit.space.start())[1], 0.05, 1e-12);
+    const std::vector<double> u{1.0, 0.0};
+    EXPECT_EQ(fit.space.overrides(u), std::vector<std::string>{"map.modes=[-0.3, -0.1, 0.5]"});
+
+    EXPECT_THAT(refusal(of("0") + target), HasSubstr("map.modes.0"));
+    EXPECT_THAT(refusal(of("101") + target), HasSubstr("map.modes.101"));
+    EXPECT_THAT(refusal(of("x") + target), HasSubstr("map.modes.x"));
+    EXPECT_THAT(refusal("[[parameter]]\nkey = \"map.modes\"\nlow = 0\nhigh = 1\n" + std::string(target)),
+                HasSubstr("one of its numbers: \"map.modes.1\""));
+    EXPECT_THAT(refusal("[[parameter]]\nkey = \"map.modes.1\"\nlow = -3\nhigh = 1\n" + std::string(target)),
+                HasSubstr("-3"));
+}
+
 TEST_F(FitFile, WhatCannotBeMeantIsRefused)
 {
     const std::string both = std::string(parameter) + target;

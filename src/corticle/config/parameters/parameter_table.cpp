@@ -135,6 +135,10 @@ std::vector<Parameter> map_parameters()
              "CSV with columns label and growth, the factor of alpha_t in each region; with columns onset and rate "
              "these are by region too.",
              CORTICLE_MEMBER(map.region_table)),
+        in_any_order(parameter("map.modes", "", between(-1.0, 1.0),
+                               "Amplitudes of smooth modes of regional growth, at most 15: spherical harmonics of "
+                               "degree 1 (y, z, x), 2 and 3 of the direction from the centre of the body.",
+                               CORTICLE_MEMBER(map.modes))),
         parameter("map.protomap_amplitude", "", between(0.0, 2.0),
                   "Standard deviation of a smooth random map by which regional growth is multiplied, not below 0.",
                   CORTICLE_MEMBER(map.protomap_amplitude)),

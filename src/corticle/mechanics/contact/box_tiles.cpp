@@ -42,6 +42,11 @@ struct TileSearch
         return {{tile.low[0][k], tile.low[1][k], tile.low[2][k]}, {tile.high[0][k], tile.high[1][k], tile.high[2][k]}};
     }
 
+    static Box box_of(const Corners& corners)
+    {
+        return {{corners.low[0], corners.low[1], corners.low[2]}, {corners.high[0], corners.high[1], corners.high[2]}};
+    }
+
     /// The box around those of a tile.
     static Corners around(const Tile& tile)
     {
@@ -129,6 +134,29 @@ void BoxTiles::enclose()
             tiles_at_a_time);
     }
     levels_.resize(number + 1);
+}
+
+Box BoxTiles::box(std::int64_t k) const
+{
+    const Tile& tile = levels_[0][static_cast<std::size_t>(k / width)];
+    return TileSearch::box_of(TileSearch::at(tile, static_cast<std::int32_t>(k % width)));
+}
+
+Box BoxTiles::box_around(std::int32_t tile) const
+{
+    return TileSearch::box_of(TileSearch::around(levels_[0][static_cast<std::size_t>(tile)]));
+}
+
+void BoxTiles::keep(const std::vector<std::uint8_t>& is_wanted)
+{
+    for (std::size_t tile = 0; tile < is_wanted.size(); ++tile)
+    {
+        if (is_wanted[tile] == 0)
+        {
+            levels_[0][tile] = {};
+        }
+    }
+    enclose();
 }
 
 void BoxTiles::find_overlaps(std::int32_t tile, const BoxTiles& others, std::vector<BoxPair>& found) const

@@ -52,6 +52,12 @@ class BoxTiles
     /// Of the boxes themselves.
     std::int32_t tile_count() const { return static_cast<std::int32_t>(levels_.front().size()); }
 
+    /// A box as it is searched for, and the box around those of a tile; empty where nothing is.
+    Box box(std::int64_t k) const;
+    Box box_around(std::int32_t tile) const;
+    /// Empties the tiles that are not wanted: their boxes overlap nothing. The others are found in the same order.
+    void keep(const std::vector<std::uint8_t>& is_wanted);
+
     /// Sets `found` to every pair of a box of one tile and a box of `others` that overlap, also to some that miss each
     /// other by the rounding of a float; where `others` are the same boxes, to those whose second comes after the
     /// first. The order is that of the second's tile, the first, the second, whatever else is found.

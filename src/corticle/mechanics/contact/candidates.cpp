@@ -2,9 +2,8 @@
 #include "corticle/mechanics/contact/candidates.hpp"
 
 #include "corticle/base/parallel.hpp"
-#include "corticle/base/wide_group.hpp"
 #include "corticle/mechanics/contact/box_tiles.hpp"
-#include "corticle/mesh/distance.hpp"
+#include "corticle/mechanics/contact/cell_marks.hpp"
 #include "corticle/mesh/space_filling_curve.hpp"
 
 namespace corticle::contact
@@ -58,106 +57,6 @@ void find_pairs(const Searched& firsts, const Searched& seconds, double range, s
             pairs.resize(kept);
         },
         tiles_at_a_time);
-}
-
-/// The closest points of eight pairs.
-struct WideClosestPoints
-{
-    WideVec3 between;
-    WideLanes weight[4];
-};
-
-CORTICLE_INLINE WideClosestPoints closest_points(const WideVec3 (&corner)[4], const VertexTriangle&)
-{
-    const auto& [p, a, b, c] = corner;
-    const auto weight = closest_on_triangle(p, a, b, c);
-    return {p - (weight[0] * a + weight[1] * b + weight[2] * c),
-            {broadcast<WideLanes>(1.0), -weight[0], -weight[1], -weight[2]}};
-}
-CORTICLE_INLINE WideClosestPoints closest_points(const WideVec3 (&corner)[4], const EdgeEdge&)
-{
-    const auto& [a, b, c, d] = corner;
-    const auto [s, t] = closest_of_segments(a, b, c, d);
-    return {a + s * (b - a) - c - t * (d - c), {1.0 - s, s, t - 1.0, -t}};
-}
-
-/// Calls take(group, points) with the closest points of the pairs, eight at a time.
-template <class Part, class Pair, class Take>
-CORTICLE_INLINE void for_groups(const Vec3* x, const Part* parts, std::span<const Pair> pairs, Take&& take)
-{
-    for (std::int64_t first = 0; first < std::ssize(pairs); first += wide_lanes)
-    {
-        const WideGroup group{first, std::min(wide_lanes, std::ssize(pairs) - first)};
-        std::array<std::array<std::int32_t, wide_lanes>, 4> vertices;
-        for (int lane = 0; lane < wide_lanes; ++lane)
-        {
-            const auto four = vertices_of(pairs[static_cast<std::size_t>(group.at(lane))], parts);
-            for (std::size_t c = 0; c < 4; ++c)
-            {
-                vertices[c][lane] = four[c];
-            }
-        }
-        WideVec3 corner[4];
-        for (std::size_t c = 0; c < 4; ++c)
-        {
-            const std::int32_t* of_corner = vertices[c].data();
-            corner[c] = WideGroup{0, wide_lanes}.gather_vectors([x, of_corner](std::int64_t lane) -> const Vec3&
-                                                                { return x[of_corner[lane]]; });
-        }
-        take(group, closest_points(corner, Pair{}));
-    }
-}
-
-template <class Part, class Pair>
-CORTICLE_INLINE void measure_groups(const Vec3* x, const Part* parts, std::span<Pair> pairs)
-{
-    for_groups<Part, Pair>(x, parts, pairs,
-                           [&](const WideGroup& group, const WideClosestPoints& points)
-                           {
-                               WideLanes distance = square_root(squared_norm(points.between));
-                               for (int lane = 0; lane < group.count; ++lane)
-                               {
-                                   pairs[static_cast<std::size_t>(group.first + lane)].distance =
-                                       at_lane(distance, lane);
-                               }
-                           });
-}
-
-template <class Part, class Pair>
-CORTICLE_INLINE void locate_groups(const Vec3* x, const Part* parts, std::span<const Pair> pairs, ClosestPoints* points)
-{
-    for_groups<Part, Pair>(x, parts, pairs,
-                           [&](const WideGroup& group, WideClosestPoints found)
-                           {
-                               group.scatter_vectors(found.between,
-                                                     [points](std::int64_t k) -> Vec3& { return points[k].between; });
-                               for (int lane = 0; lane < group.count; ++lane)
-                               {
-                                   for (std::size_t c = 0; c < 4; ++c)
-                                   {
-                                       points[group.first + lane].weight[c] = at_lane(found.weight[c], lane);
-                                   }
-                               }
-                           });
-}
-
-CORTICLE_EVERY_ISA void measure_pairs(const Vec3* x, const Triangle* triangles, std::span<VertexTriangle> pairs)
-{
-    measure_groups(x, triangles, pairs);
-}
-CORTICLE_EVERY_ISA void measure_pairs(const Vec3* x, const Edge* edges, std::span<EdgeEdge> pairs)
-{
-    measure_groups(x, edges, pairs);
-}
-CORTICLE_EVERY_ISA void locate_pairs(const Vec3* x, const Triangle* triangles, std::span<const VertexTriangle> pairs,
-                                     ClosestPoints* points)
-{
-    locate_groups(x, triangles, pairs, points);
-}
-CORTICLE_EVERY_ISA void locate_pairs(const Vec3* x, const Edge* edges, std::span<const EdgeEdge> pairs,
-                                     ClosestPoints* points)
-{
-    locate_groups(x, edges, pairs, points);
 }
 
 /// Appends the parts of the wall, or all others, in the order of a curve through their middles.
@@ -236,28 +135,6 @@ SurfaceParts::SurfaceParts(std::span<const Triangle> triangles, std::span<const 
 {
 }
 
-void SurfaceParts::measure(std::span<const Vec3> x, std::span<VertexTriangle> pairs) const
-{
-    measure_pairs(x.data(), triangles_.data(), pairs);
-}
-
-void SurfaceParts::measure(std::span<const Vec3> x, std::span<EdgeEdge> pairs) const
-{
-    measure_pairs(x.data(), edges_.data(), pairs);
-}
-
-void SurfaceParts::locate(std::span<const Vec3> x, std::span<const VertexTriangle> pairs,
-                          std::span<ClosestPoints> points) const
-{
-    locate_pairs(x.data(), triangles_.data(), pairs, points.data());
-}
-
-void SurfaceParts::locate(std::span<const Vec3> x, std::span<const EdgeEdge> pairs,
-                          std::span<ClosestPoints> points) const
-{
-    locate_pairs(x.data(), edges_.data(), pairs, points.data());
-}
-
 template <class Part>
 void SurfaceParts::enclose(std::span<const Part> parts, std::span<const Vec3> x, double range,
                            std::span<const double> reach, Searched& searched)
@@ -280,12 +157,95 @@ void SurfaceParts::enclose(std::span<const Part> parts, std::span<const Vec3> x,
                        });
 }
 
+/// Leaves of what is searched the tiles about the parts of a share: those that meet these parts, and those that meet
+/// the former. So all pairs are found of every owner that has one with a part of the share.
+void SurfaceParts::search_about(const SurfaceShare& share, std::span<const Vec3> x, double cell)
+{
+    const Box bounds = bounding_box(x);
+    const auto for_all = [&](auto&& act)
+    {
+        act(std::span<const std::array<std::int32_t, 1>>(vertices_), searched_vertices_.boxes);
+        act(std::span<const Triangle>(triangles_), searched_triangles_.boxes);
+        act(std::span<const Edge>(edges_), searched_edges_.boxes);
+    };
+    CellMarks own(bounds, cell);
+    for_all(
+        [&](auto parts, const BoxTiles& boxes)
+        {
+            for (std::int64_t k = 0; k < std::ssize(parts); ++k)
+            {
+                if (std::ranges::any_of(parts[static_cast<std::size_t>(k)],
+                                        [&](std::int32_t vertex) { return share.has(vertex); }))
+                {
+                    own.mark(boxes.box(k));
+                }
+            }
+        });
+    CellMarks beside(bounds, cell);
+    for_all(
+        [&](auto parts, const BoxTiles& boxes)
+        {
+            for (std::int32_t tile = 0; tile < boxes.tile_count(); ++tile)
+            {
+                const std::int64_t end = std::min(std::ssize(parts), std::int64_t{tile + 1} * BoxTiles::width);
+                const bool is_near = own.meets(boxes.box_around(tile));
+                for (std::int64_t k = std::int64_t{tile} * BoxTiles::width; is_near && k < end; ++k)
+                {
+                    const Box box = boxes.box(k);
+                    if (own.meets(box))
+                    {
+                        beside.mark(box);
+                    }
+                }
+            }
+        });
+    for_all(
+        [&](auto, BoxTiles& boxes)
+        {
+            std::vector<std::uint8_t> is_wanted(static_cast<std::size_t>(boxes.tile_count()));
+            parallel_for(boxes.tile_count(),
+                         [&](std::int64_t tile)
+                         {
+                             const Box around = boxes.box_around(static_cast<std::int32_t>(tile));
+                             is_wanted[static_cast<std::size_t>(tile)] = beside.meets(around) ? 1 : 0;
+                         });
+            boxes.keep(is_wanted);
+        });
+}
+
+/// Leaves the pairs of which an owner may push a vertex of the share, or be pushed by it.
+template <class Pair>
+void SurfaceParts::keep_owners(const SurfaceShare& share, std::size_t owners, std::vector<Pair>& pairs) const
+{
+    std::vector<std::uint8_t> is_of_share(owners);
+    for (const Pair& pair : pairs)
+    {
+        if (std::ranges::any_of(vertices_of(pair), [&](std::int32_t vertex) { return share.has(vertex); }))
+        {
+            for (const std::int32_t owner : owners_of(pair))
+            {
+                is_of_share[static_cast<std::size_t>(owner)] = 1;
+            }
+        }
+    }
+    std::erase_if(pairs,
+                  [&](const Pair& pair)
+                  {
+                      return std::ranges::none_of(owners_of(pair), [&](std::int32_t owner)
+                                                  { return is_of_share[static_cast<std::size_t>(owner)] != 0; });
+                  });
+}
+
 void SurfaceParts::find_candidates(std::span<const Vec3> x, double range, std::span<const double> reach,
-                                   Candidates& found)
+                                   const SurfaceShare& share, Candidates& found)
 {
     enclose<std::array<std::int32_t, 1>>(vertices_, x, range, reach, searched_vertices_);
     enclose<Triangle>(triangles_, x, range, reach, searched_triangles_);
     enclose<Edge>(edges_, x, range, reach, searched_edges_);
+    if (share.is_part())
+    {
+        search_about(share, x, 2.0 * range);
+    }
     const auto measured = [&](auto& pairs) { measure(x, pairs); };
     find_pairs(
         searched_vertices_, searched_triangles_, range, found.vertex_triangle,
@@ -312,6 +272,11 @@ void SurfaceParts::find_candidates(std::span<const Vec3> x, double range, std::s
                    ((a[0] < wall_) | (b[0] < wall_));
         },
         measured);
+    if (share.is_part())
+    {
+        keep_owners(share, vertices_.size(), found.vertex_triangle);
+        keep_owners(share, edges_.size(), found.edge_edge);
+    }
 }
 
 } // namespace corticle::contact

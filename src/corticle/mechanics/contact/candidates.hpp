@@ -2,6 +2,7 @@
 #pragma once
 
 #include "corticle/mechanics/contact/box_tiles.hpp"
+#include "corticle/mechanics/contact/surface_share.hpp"
 #include "corticle/mesh/triangle_mesh.hpp"
 
 #include <array>
@@ -34,6 +35,16 @@ struct EdgeEdge
     std::int32_t second;
     double distance; ///< where it was found [mm]
 };
+
+/// Those who repel the other part if the pair is their closest: the vertex of a triangle, or both edges.
+inline std::array<std::int32_t, 1> owners_of(const VertexTriangle& pair)
+{
+    return {pair.vertex};
+}
+inline std::array<std::int32_t, 2> owners_of(const EdgeEdge& pair)
+{
+    return {pair.first, pair.second};
+}
 
 /// The vertices of both parts of a pair.
 inline std::array<std::int32_t, 4> vertices_of(const VertexTriangle& pair, const Triangle* triangles)
@@ -88,10 +99,12 @@ class SurfaceParts
     }
 
     /// Sets `found` to the pairs closer than `range` plus the reach of both their parts, that of an edge or a triangle
-    /// being the largest of its vertices. The result depends on the positions and the reach alone.
+    /// being the largest of its vertices; for a share of the vertices, to all pairs of those owners that have one with
+    /// a vertex of it. The result depends on the positions and the reach alone.
     /// @param x      positions of the vertices [mm]
     /// @param reach  of every vertex [mm]
-    void find_candidates(std::span<const Vec3> x, double range, std::span<const double> reach, Candidates& found);
+    void find_candidates(std::span<const Vec3> x, double range, std::span<const double> reach,
+                         const SurfaceShare& share, Candidates& found);
 
     /// Distances at positions x, into the pairs [mm].
     void measure(std::span<const Vec3> x, std::span<VertexTriangle> pairs) const;
@@ -111,6 +124,10 @@ class SurfaceParts
     template <class Part>
     static void enclose(std::span<const Part> parts, std::span<const Vec3> x, double range,
                         std::span<const double> reach, Searched& searched);
+
+    void search_about(const SurfaceShare& share, std::span<const Vec3> x, double cell);
+    template <class Pair>
+    void keep_owners(const SurfaceShare& share, std::size_t owners, std::vector<Pair>& pairs) const;
 
     std::int32_t wall_;
     std::vector<std::array<std::int32_t, 1>> vertices_; ///< every vertex once

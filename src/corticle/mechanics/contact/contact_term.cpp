@@ -33,7 +33,7 @@ std::vector<std::int32_t> places_of_vertices(const Cloud& cloud, std::span<const
 /// Contact of the body's surface, whose vertices are numbered as in `particles`, and of the skull behind it.
 SurfaceContact contact_of(const Cloud& cloud, const TriangleMesh& surface, std::span<const std::int32_t> particles,
                           std::span<const std::int32_t> vertex_at, std::vector<double> masses, double frequency,
-                          const ContactOptions& options, const boundary::Skull* skull)
+                          const ContactOptions& options, const Share& share, const boundary::Skull* skull)
 {
     std::vector<Triangle> triangles;
     triangles.reserve(cloud.surface_triangles.size());
@@ -54,7 +54,9 @@ SurfaceContact contact_of(const Cloud& cloud, const TriangleMesh& surface, std::
                 cloud.spacing,
                 frequency,
                 options,
-                {particles.begin(), particles.end()}};
+                {particles.begin(), particles.end()},
+                no_wall,
+                SurfaceShare(share, particles)};
     }
     const auto wall = static_cast<std::int32_t>(rest.size());
     rest.insert(rest.end(), skull->positions().begin(), skull->positions().end());
@@ -69,11 +71,11 @@ SurfaceContact contact_of(const Cloud& cloud, const TriangleMesh& surface, std::
 } // namespace
 
 ContactTerm::ContactTerm(const Cloud& cloud, const TriangleMesh& surface, std::span<const double> masses,
-                         double frequency, const ContactOptions& options, bool fixed_step,
+                         double frequency, const ContactOptions& options, bool fixed_step, const Share& share,
                          std::shared_ptr<boundary::Skull> skull)
     : particles_(sorted(cloud.surface_particles)), masses_(gather<double>(masses, particles_)),
       vertex_at_(places_of_vertices(cloud, particles_)), skull_(std::move(skull)),
-      contact_(contact_of(cloud, surface, particles_, vertex_at_, masses_, frequency, options, skull_.get())),
+      contact_(contact_of(cloud, surface, particles_, vertex_at_, masses_, frequency, options, share, skull_.get())),
       fixed_step_(fixed_step)
 {
 }
@@ -90,6 +92,7 @@ void ContactTerm::gather_surfaces(std::span<const Vec3> of_body, std::span<const
 mechanics::Contribution ContactTerm::add(const mechanics::StepContext& context, std::span<Vec3> forces)
 {
     mechanics::Contribution contribution;
+    energy_.reset();
     if (skull_)
     {
         gather_surfaces(context.x, skull_->positions(), positions_);
@@ -116,7 +119,7 @@ mechanics::Contribution ContactTerm::add(const mechanics::StepContext& context, 
 
 std::vector<mechanics::NamedEnergy> ContactTerm::energies() const
 {
-    const double all = contact_.energy();
+    const double all = energy_ ? *energy_ : contact_.energy();
     if (!skull_)
     {
         return {{"contact", all}};

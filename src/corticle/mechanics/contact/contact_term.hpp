@@ -7,6 +7,7 @@
 #include "corticle/mesh/cloud.hpp"
 
 #include <memory>
+#include <optional>
 
 namespace corticle::contact
 {
@@ -20,13 +21,16 @@ class ContactTerm final : public mechanics::ForceTerm
     /// @param masses     of the nodes
     /// @param frequency  see SurfaceContact
     /// @param fixed_step whether the step is given and contact does not shorten it
+    /// @param share      of the nodes: contact of the surface with itself is shared, that with a skull is not
     /// @param skull      may be null
     ContactTerm(const Cloud& cloud, const TriangleMesh& surface, std::span<const double> masses, double frequency,
-                const ContactOptions& options, bool fixed_step, std::shared_ptr<boundary::Skull> skull = nullptr);
+                const ContactOptions& options, bool fixed_step, const Share& share,
+                std::shared_ptr<boundary::Skull> skull = nullptr);
 
     std::string_view name() const override { return "contact"; }
     mechanics::Contribution add(const mechanics::StepContext& context, std::span<Vec3> forces) override;
     std::vector<mechanics::NamedEnergy> energies() const override;
+    void complete() override { energy_ = contact_.energy(); }
     mechanics::TravelTaken limit_travel(const dynamics::Motion& from, const dynamics::StepPlan& plan, double& longest,
                                         dynamics::Motion& to) override;
     std::string cause_of_short_step(std::span<const Vec3> /*x*/) const override
@@ -50,6 +54,7 @@ class ContactTerm final : public mechanics::ForceTerm
     SurfaceContact contact_;
     bool fixed_step_;
     ContactResponse response_;
+    std::optional<double> energy_;   ///< of all ranks, once completed [mu_w mm³]
     std::vector<Vec3> displacement_; ///< of the vertices of the surface, then of the skull, in the step [mm]
     std::vector<Vec3> positions_;    ///< of both, where there is a skull [mm]
     std::vector<Vec3> forces_;       ///< on both [mu_w mm²]

@@ -20,17 +20,20 @@ class NearPairs
 
     /// @param rest     reference positions of the surface vertices [mm]
     /// @param range    [mm]   @param spacing  particle spacing [mm]
-    /// @param wall     see SurfaceParts
+    /// @param wall     see SurfaceParts   @param share  of the vertices, see SurfaceParts::find_candidates
     NearPairs(std::span<const Triangle> triangles, std::span<const Vec3> rest, double range, double spacing,
-              std::int32_t wall = no_wall);
+              std::int32_t wall = no_wall, SurfaceShare share = {});
 
-    /// Finds the near pairs at positions x of a body, in which the vertices have these places.
+    /// Finds the near pairs at positions x of a body, in which the vertices have these places. Collective.
     void update(std::span<const Vec3> x, std::span<const std::int32_t> places);
 
     const SurfaceParts& parts() const { return parts_; }
+    const SurfaceShare& share() const { return share_; }
     double range() const { return range_; }
-    /// Of the vertices, at the last update [mm].
+    /// Of the vertices, at the last update; of those that are not followed, at an earlier one [mm].
     std::span<const Vec3> positions() const { return x_; }
+    /// Numbers of the vertices that are followed: all, or of a share those of the near pairs, and its own.
+    std::span<const std::int32_t> followed_vertices() const { return followed_vertices_; }
     /// With their distance at these positions.
     const Blocks<VertexTriangle>& vertex_triangle() const { return vertices_.near; }
     const Blocks<EdgeEdge>& edge_edge() const { return edges_.near; }
@@ -57,6 +60,7 @@ class NearPairs
     Watched watched(const Pair& pair) const;
     bool follow(std::span<const Vec3> x, std::span<const std::int32_t> places);
     void find_candidates();
+    void choose_followed();
     template <class Pair>
     auto watching(std::span<const Pair> pairs, Watch<Pair>& watch) const;
     template <class Pair>
@@ -64,11 +68,15 @@ class NearPairs
     void measure();
 
     SurfaceParts parts_;
+    SurfaceShare share_;
     double range_;
     double spacing_;
     Candidates candidates_;
     Watch<VertexTriangle> vertices_;
     Watch<EdgeEdge> edges_;
+    std::vector<std::int32_t> followed_vertices_; ///< ascending
+    std::vector<std::int32_t> followed_triangles_;
+    std::vector<std::int32_t> followed_edges_;
     std::vector<Vec3> x_;
     std::vector<Vec3> listed_at_;       ///< positions the candidates were found at
     std::vector<double> reach_;         ///< how far each vertex may be from there before they are found anew [mm]

@@ -48,32 +48,35 @@ class SurfaceContact
     /// @param places    of the vertices in the positions and forces of a body; as they are numbered where it is empty
     /// @param wall      see SurfaceParts; the barriers of its parts are those of a vertex of the mean mass of the
     /// others
+    /// @param share     of the vertices; of a part of them the forces are those of one process, to the bit
     SurfaceContact(std::span<const Triangle> triangles, std::span<const Vec3> rest, std::vector<double> masses,
                    double spacing, double frequency, const ContactOptions& options,
-                   std::vector<std::int32_t> places = {}, std::int32_t wall = no_wall);
+                   std::vector<std::int32_t> places = {}, std::int32_t wall = no_wall, SurfaceShare share = {});
 
-    /// Adds the contact forces at positions x to `forces`, both of the body.
+    /// Adds the contact forces at positions x to `forces`, both of the body; those on the vertices of the share.
+    /// Collective.
     ContactResponse evaluate(std::span<const Vec3> x, std::span<Vec3> forces);
 
-    /// Sum of the barriers at the positions last evaluated: a potential [mu_w mm³].
+    /// Sum of the barriers at the positions last evaluated: a potential [mu_w mm³]. Collective.
     double energy() const;
     /// Of that evaluation, what is between the surface and its wall.
     WallContact wall_contact() const;
 
     /// Whether no two parts come closer than is safe in a step of the body from the positions last evaluated.
+    /// Collective.
     bool stays_apart(const Travel& travel)
     {
-        return travel_limit_->stays_apart(near_, least_distance(), travel, places_);
+        return !near_.share().any(!travel_limit_->stays_apart(near_, least_distance(), travel, places_));
     }
     /// Changes displacements [mm] of vertices from the positions last evaluated where parts would come closer than is
-    /// safe, see TravelLimit. @return the vertices whose displacement has changed, in ascending order
+    /// safe, see TravelLimit. @return the vertices whose displacement has changed, in ascending order. Collective.
     std::span<const std::int32_t> hold_apart(std::span<Vec3> displacements)
     {
         return travel_limit_->apply(near_, displacements);
     }
 
     /// The pair that the largest rate of the last evaluation comes from, in words: its particles, by their places in
-    /// the body, distance, gap and position. Some pair must repel.
+    /// the body, distance, gap and position. Some pair must repel. Collective.
     std::string stiffest_pair() const;
 
   private:
@@ -111,10 +114,30 @@ class SurfaceContact
     template <class Pair>
     auto working_out(Owners<Pair>& owners) const;
     double least_distance() const;
+    /// A push, by its block of owners and its number in it.
+    struct Place
+    {
+        std::int64_t block;
+        std::int64_t number;
+    };
+    /// The owner of a push among all: the vertices, then the edges.
+    using Owner = std::int64_t;
+    bool answers_for(const Owners<VertexTriangle>&, std::int32_t owner) const { return near_.share().has(owner); }
+    bool answers_for(const Owners<EdgeEdge>&, std::int32_t owner) const
+    {
+        return near_.share().has(near_.parts().edges()[static_cast<std::size_t>(owner)][0]);
+    }
+    template <class Pair, class Act>
+    void for_own_pushes(const Owners<Pair>& owners, std::int64_t first, std::int64_t last, Act&& act) const;
+    std::vector<std::int64_t> count_pushes() const;
+    Owner middle_of(std::span<const std::int64_t> counts, std::int64_t half) const;
     template <class Pair>
-    static void add_up(const Owners<Pair>& owners, std::int64_t first, std::int64_t last, std::vector<Vec3>& loads);
-    void add_up(std::int64_t active);
+    static Place place_of(const Owners<Pair>& owners, Owner owner);
+    template <class Pair>
+    static void add_up(const Owners<Pair>& owners, const Place& from, const Place& to, std::vector<Vec3>& loads);
+    void add_up(Owner middle);
     double row_of(const Push& push) const;
+    void give(std::span<Vec3> forces);
     template <class Pair>
     auto bounding(const Owners<Pair>& owners, std::span<double> largest) const;
     double largest_rate() const;

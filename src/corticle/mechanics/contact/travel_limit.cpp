@@ -111,9 +111,10 @@ std::span<const std::int32_t> TravelLimit::apply(const NearPairs& near, std::spa
 {
     changed_.clear();
     stay_with_the_mean(displacements, travel_share * near.range());
-    while (find_closing(near, [&](std::int32_t vertex) { return displacements[vertex]; }))
+    const SurfaceShare& share = near.share();
+    while (share.any(find_closing(near, [&](std::int32_t vertex) { return displacements[vertex]; })))
     {
-        join_closing(displacements);
+        join_closing(share, displacements);
         move_together(displacements);
     }
     for (const std::int32_t vertex : grouped_)
@@ -235,22 +236,23 @@ bool TravelLimit::find_closing(const NearPairs& near, const DisplacementOf& disp
     return !std::ranges::all_of(closing_, [](const auto& found) { return found.empty(); });
 }
 
-/// Joins the vertices of pairs that would come too close.
-void TravelLimit::join_closing(std::span<const Vec3> displacements)
+/// Joins the vertices of pairs that would come too close, whichever rank has found them.
+void TravelLimit::join_closing(const SurfaceShare& share, std::span<const Vec3> displacements)
 {
     if (grouped_.empty())
     {
         wanted_.assign(displacements.begin(), displacements.end());
     }
-    for_each_of(closing_,
-                [&](const FourVertices& vertex)
-                {
-                    for (const std::int32_t v : vertex)
-                    {
-                        join(vertex[0], v);
-                        grouped_.push_back(v);
-                    }
-                });
+    std::vector<FourVertices> closing;
+    for_each_of(closing_, [&](const FourVertices& vertex) { closing.push_back(vertex); });
+    for (const FourVertices& vertex : share.of_all(std::move(closing)))
+    {
+        for (const std::int32_t v : vertex)
+        {
+            join(vertex[0], v);
+            grouped_.push_back(v);
+        }
+    }
 }
 
 /// Gives every group the mean displacement of its vertices, weighted with their masses.

@@ -40,14 +40,14 @@ class TravelLimit
     TravelLimit(std::vector<double> masses, std::vector<double> vertex_least, std::vector<double> edge_least,
                 std::int32_t wall = no_wall);
 
-    /// Whether no pair comes too close.
+    /// Whether no pair comes too close, of those that a share of the vertices has to do with.
     /// @param places          of the vertices in the body
     /// @param least_distance  of all near pairs [mm]
     bool stays_apart(const NearPairs& near, double least_distance, const Travel& travel,
                      std::span<const std::int32_t> places);
 
     /// Changes displacements of vertices [mm] from the positions of `near`.
-    /// @return the vertices whose displacement has changed, in ascending order
+    /// @return the vertices whose displacement has changed, in ascending order. Collective.
     std::span<const std::int32_t> apply(const NearPairs& near, std::span<Vec3> displacements);
 
   private:
@@ -69,7 +69,7 @@ class TravelLimit
     template <class Pair, class DisplacementOf>
     bool may_close(const FourVertices& vertex, const Pair& pair, const DisplacementOf& displacement_of) const;
     bool in_one_group(const FourVertices& vertex) const;
-    void join_closing(std::span<const Vec3> displacements);
+    void join_closing(const SurfaceShare& share, std::span<const Vec3> displacements);
     void move_together(std::span<Vec3> displacements);
     std::int32_t group_of(std::int32_t vertex) const;
     void join(std::int32_t a, std::int32_t b);

@@ -69,8 +69,7 @@ void Fitting::say(const Evaluation& evaluation) const
     std::string text = fmt::format("{:>4}  {:<10}", evaluations_.size(), evaluation.stage);
     for (std::size_t k = 0; k < fit_.space.size(); ++k)
     {
-        const std::string& key = fit_.space.parameters[k].key;
-        text += fmt::format("  {} {:.5g}", key.substr(key.rfind('.') + 1), evaluation.values[k]);
+        text += fmt::format("  {} {:.5g}", fit_.space.parameters[k].name(), evaluation.values[k]);
     }
     text += evaluation.failure.empty() ? fmt::format("  misfit {:.4g}\n", misfit(fit_, evaluation))
                                        : "  failed: " + evaluation.failure + "\n";

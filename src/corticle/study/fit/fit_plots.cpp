@@ -20,14 +20,9 @@ constexpr const char* band_colour = "#1f5fa8";
 constexpr int histogram_bars = 30;
 constexpr std::size_t most_drawn = 1500;
 
-std::string short_name(const FreeParameter& parameter)
-{
-    return parameter.key.substr(parameter.key.rfind('.') + 1);
-}
-
 std::string label(const FreeParameter& parameter)
 {
-    return short_name(parameter) + (parameter.unit.empty() ? "" : " [" + parameter.unit + "]");
+    return parameter.name() + (parameter.unit.empty() ? "" : " [" + parameter.unit + "]");
 }
 
 /// The misfit of each run, and the best so far.
@@ -86,7 +81,7 @@ std::string parameters_plot(const FitFile& fit, const FitResult& result)
     for (std::size_t k = 0; k < fit.space.size(); ++k)
     {
         const FreeParameter& one = fit.space.parameters[k];
-        SvgPanel panel{short_name(one) + ": misfit of runs", label(one), "misfit", true, {}, {}};
+        SvgPanel panel{one.name() + ": misfit of runs", label(one), "misfit", true, {}, {}};
         SvgMarks runs{Kind::points, {}, {}, {}, {}, band_colour, 0.6};
         for (const Evaluation& evaluation : result.evaluations)
         {
@@ -98,7 +93,7 @@ std::string parameters_plot(const FitFile& fit, const FitResult& result)
         if (result.knowledge)
         {
             const std::vector<double> values = drawn_values(fit, result, k, result.knowledge->draws.points.size());
-            SvgPanel density{short_name(one) + ": posterior", label(one), "density", false, {}, {}};
+            SvgPanel density{one.name() + ": posterior", label(one), "density", false, {}, {}};
             density.marks = {histogram(values, one.low, one.high)};
             panels.push_back(density);
         }

@@ -80,11 +80,6 @@ Json quantities_json(const FitFile& fit, const FitResult& result)
     return list;
 }
 
-std::string short_name(const std::string& key)
-{
-    return key.substr(key.rfind('.') + 1);
-}
-
 std::string parameters_table(const FitFile& fit, const FitResult& result)
 {
     std::string text = "| parameter | unit | bounds | best run | median | 90 % | sd over prior's |\n"
@@ -157,13 +152,13 @@ std::string correlations_table(const FitFile& fit, const Knowledge& known)
     std::string line = "|---|";
     for (const FreeParameter& one : fit.space.parameters)
     {
-        text += fmt::format(" `{}` |", short_name(one.key));
+        text += fmt::format(" `{}` |", one.name());
         line += "---|";
     }
     text += "\n" + line + "\n";
     for (std::size_t i = 0; i < fit.space.size(); ++i)
     {
-        text += fmt::format("| `{}` |", short_name(fit.space.parameters[i].key));
+        text += fmt::format("| `{}` |", fit.space.parameters[i].name());
         for (std::size_t j = 0; j < fit.space.size(); ++j)
         {
             text += fmt::format(" {:.2f} |",

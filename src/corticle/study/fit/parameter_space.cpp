@@ -8,7 +8,10 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
+#include <map>
+#include <optional>
 
 namespace corticle::fit
 {
@@ -17,28 +20,68 @@ namespace
 {
 
 constexpr std::size_t most_parameters = 20;
+constexpr std::size_t longest_list = 100; // of which one number may be free
 
-const config::Parameter& number_of_case(const std::string& key, const std::string& where)
+/// Of "map.modes.3" the list map.modes and the place 2; of other keys nothing.
+std::optional<std::pair<const config::Parameter*, std::size_t>> number_of_list(const std::string& key)
 {
-    const config::Parameter* parameter = config::find_parameter(key);
-    if (parameter == nullptr)
+    const std::size_t dot = key.rfind('.');
+    const config::Parameter* list = dot == std::string::npos ? nullptr : config::find_parameter(key.substr(0, dot));
+    std::size_t number = 0;
+    const auto [end, error] = std::from_chars(key.data() + dot + 1, key.data() + key.size(), number);
+    const bool is_number = error == std::errc() && end == key.data() + key.size() && number >= 1;
+    if (list == nullptr || list->kind != config::Kind::list || !list->any_order || !is_number || number > longest_list)
+    {
+        return std::nullopt;
+    }
+    return std::pair(list, number - 1);
+}
+
+std::vector<double> list_of(const config::Parameter& list, const config::Options& base)
+{
+    const config::Value value = list.get(base);
+    const auto* numbers = std::get_if<std::vector<double>>(&value);
+    return numbers != nullptr ? *numbers : std::vector<double>{};
+}
+
+/// Sets the key of `parameter`, which is a number of the case or of a list of it. @return what is known of it
+const config::Parameter& find_key(const std::string& key, const std::string& where, const config::Options& base,
+                                  FreeParameter& parameter)
+{
+    parameter.key = key;
+    if (const auto found = number_of_list(key))
+    {
+        const auto& [list, place] = *found;
+        parameter.list = list->key;
+        parameter.place = place;
+        parameter.others = list_of(*list, base);
+        parameter.others.resize(std::max(parameter.others.size(), place + 1));
+        return *list;
+    }
+    const config::Parameter* known = config::find_parameter(key);
+    if (known == nullptr)
     {
         throw config::unknown_key_error(key, where);
     }
-    if (parameter->kind != config::Kind::real && parameter->kind != config::Kind::integer)
+    if (known->kind != config::Kind::real && known->kind != config::Kind::integer)
     {
-        throw InputError(fmt::format("{} ({}): a {}, expected a key of the case that is a number", key, where,
-                                     parameter->kind_text()));
+        const std::string of_list =
+            known->any_order ? fmt::format(", or one of its numbers: \"{}.1\"", known->key) : "";
+        throw InputError(fmt::format("{} ({}): a {}, expected a key of the case that is a number{}", key, where,
+                                     known->kind_text(), of_list));
     }
-    return *parameter;
+    return *known;
 }
 
-double base_value(const config::Parameter& parameter, const config::Options& base)
+double base_value(const config::Parameter& known, const config::Options& base, const FreeParameter& parameter)
 {
-    const config::Value value = parameter.get(base);
+    const config::Value value = known.get(base);
     const auto* real = std::get_if<double>(&value);
     const auto* integer = std::get_if<std::int64_t>(&value);
-    return real != nullptr ? *real : integer != nullptr ? static_cast<double>(*integer) : NAN;
+    return !parameter.list.empty() ? parameter.others[parameter.place]
+           : real != nullptr       ? *real
+           : integer != nullptr    ? static_cast<double>(*integer)
+                                   : NAN;
 }
 
 void read_bounds(const TableReader& table, const config::Parameter& known, FreeParameter& parameter)
@@ -96,8 +139,7 @@ FreeParameter read_parameter(const config::TomlNode& node, const sweep::SweepPla
                                                           "prior", "mean", "sd",   "start"};
     const TableReader table(node, place, "a parameter", keys);
     FreeParameter parameter;
-    parameter.key = table.text("key");
-    const config::Parameter& known = number_of_case(parameter.key, table.where());
+    const config::Parameter& known = find_key(table.text("key"), table.where(), base, parameter);
     parameter.unit = known.unit;
     parameter.is_whole = known.kind == config::Kind::integer;
     read_bounds(table, known, parameter);
@@ -106,7 +148,7 @@ FreeParameter read_parameter(const config::TomlNode& node, const sweep::SweepPla
         table.at("mean");
     }
     read_prior(table, parameter);
-    const double from_base = base_value(known, base);
+    const double from_base = base_value(known, base, parameter);
     const bool is_within = from_base >= parameter.low && from_base <= parameter.high;
     parameter.start = table.number_if("start").value_or(is_within ? from_base : parameter.value(0.5));
     if (!(parameter.start >= parameter.low && parameter.start <= parameter.high))
@@ -118,6 +160,11 @@ FreeParameter read_parameter(const config::TomlNode& node, const sweep::SweepPla
 }
 
 } // namespace
+
+std::string FreeParameter::name() const
+{
+    return key.substr((list.empty() ? key : list).rfind('.') + 1);
+}
 
 double FreeParameter::value(double u) const
 {
@@ -171,12 +218,28 @@ double ParameterSpace::log_prior(std::span<const double> u) const
 std::vector<std::string> ParameterSpace::overrides(std::span<const double> u) const
 {
     std::vector<std::string> texts;
+    std::map<std::string, std::vector<double>> lists;
     const std::vector<double> found = values(u);
     for (std::size_t k = 0; k < size(); ++k)
     {
+        const FreeParameter& one = parameters[k];
+        if (!one.list.empty())
+        {
+            std::vector<double>& list = lists[one.list];
+            for (std::size_t i = list.size(); i < one.others.size(); ++i)
+            {
+                list.push_back(one.others[i]);
+            }
+            list[one.place] = found[k];
+            continue;
+        }
         const config::Value value =
-            parameters[k].is_whole ? config::Value(static_cast<std::int64_t>(found[k])) : config::Value(found[k]);
-        texts.push_back(parameters[k].key + "=" + config::toml_text(value));
+            one.is_whole ? config::Value(static_cast<std::int64_t>(found[k])) : config::Value(found[k]);
+        texts.push_back(one.key + "=" + config::toml_text(value));
+    }
+    for (const auto& [key, numbers] : lists)
+    {
+        texts.push_back(key + "=" + config::toml_text(config::Value(numbers)));
     }
     return texts;
 }

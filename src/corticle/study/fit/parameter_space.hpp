@@ -13,7 +13,10 @@ namespace corticle::fit
 /// A number of the case that is to be found, between two bounds.
 struct FreeParameter
 {
-    std::string key; ///< of the case
+    std::string key;            ///< of the case; "map.modes.3" is the third number of the list map.modes
+    std::string list;           ///< the key of that list; empty: no number of a list
+    std::size_t place = 0;      ///< in the list, from 0
+    std::vector<double> others; ///< the list in the base, as long as it needs to be
     std::string unit;
     double low = 0.0;
     double high = 1.0;
@@ -24,6 +27,7 @@ struct FreeParameter
     double sd = 1.0;        ///< of a normal prior; of the natural logarithm where is_log
     double start = 0.5;     ///< where a search begins
 
+    std::string name() const;     ///< the key without its section
     double value(double u) const; ///< at a coordinate of the unit cube
     double unit_of(double value) const;
 };
@@ -43,7 +47,7 @@ class ParameterSpace
     std::vector<std::string> overrides(std::span<const double> u) const;
 };
 
-/// The [[parameter]] tables.
+/// The [[parameter]] tables. A key is a number of the case, or one of the numbers of a list.
 /// @param base  where starts are taken from that are not given
 /// @throws InputError for what is no number of the case, bounds outside its range or in wrong order, a start outside
 /// the bounds

@@ -25,11 +25,6 @@ constexpr double good_predictivity = 0.8;
 constexpr const char* first_colour = "#1f5fa8";
 constexpr const char* total_colour = "#9db8d9";
 
-std::string short_name(const fit::FreeParameter& parameter)
-{
-    return parameter.key.substr(parameter.key.rfind('.') + 1);
-}
-
 Json measure_json(const SensitivityFile& file, const fit::Quantity& quantity, const MeasureSensitivity& found)
 {
     Json json{{"name", quantity.name()}, {"parameters", Json::array()}};
@@ -88,7 +83,7 @@ std::vector<std::string> parameter_names(const SensitivityFile& file)
     std::vector<std::string> names;
     for (const fit::FreeParameter& one : file.space.parameters)
     {
-        names.push_back(short_name(one));
+        names.push_back(one.name());
     }
     return names;
 }
