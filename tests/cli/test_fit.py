@@ -48,6 +48,7 @@ t = [0.01, 0.02]
 SURROGATE = """[surrogate]
 points = 8
 refinements = 1
+share = 1e-9
 runs_a_round = 2
 [posterior]
 samples = 2000

@@ -25,6 +25,7 @@ struct Trial
     std::function<void(config::Options&)> change;
     std::int64_t particles = 2500;
     double amplitude = 0.05; ///< of what nodes are moved by, in spacings
+    int steps = 5;
 };
 
 void PrintTo(const Trial& trial, std::ostream* stream)
@@ -67,8 +68,8 @@ class Ranks : public testing::TestWithParam<Trial>
 
 TEST_P(Ranks, GiveTheBitsOfOne)
 {
-    constexpr int steps = 5;
     const Trial& trial = GetParam();
+    const int steps = trial.steps;
     const auto body = test::shared(prepare::prepare_body(options_of(trial)).model);
     const auto one = simulated(body, trial, alone(), steps);
     const std::vector<Mat3> F = one->deformation_gradients();
@@ -99,6 +100,23 @@ const Trial trials[] = {
      {
          options.contact.enabled = true;
          options.contact.distance = 0.6;
+     },
+     2500, 0.2},
+    {"contact_of_many",
+     [](config::Options& options)
+     {
+         options.contact.enabled = true;
+         options.contact.distance = 0.6;
+     },
+     9000, 0.3, 40}, // candidates are found anew on the way
+    {"contact_at_supports",
+     [](config::Options& options)
+     {
+         options.contact.enabled = true;
+         options.contact.distance = 0.6;
+         boundary::SupportOptions fixed;
+         fixed.plane = boundary::Face::x_min;
+         options.supports = {fixed};
      },
      2500, 0.2},
     {"thinning", [](config::Options& options) { options.tissue.thickness_rate_mm = 0.4; }},

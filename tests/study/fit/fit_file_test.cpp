@@ -150,4 +150,21 @@ TEST(Emulator, CorrectionsAreAddedAndWidenWhatIsExpected)
     EXPECT_GT(emulator.log_likelihood(fit::Point{0.65}), emulator.log_likelihood(fit::Point{0.7}));
 }
 
+TEST(Emulator, SaysHowMuchOfTheVarianceItMakes)
+{
+    const std::vector<fit::Quantity> quantities{observed(1.5, 0.1)};
+    std::vector<fit::Evaluation> smooth;
+    std::vector<fit::Evaluation> scattered;
+    for (const fit::Point& u : fit::latin_hypercube(16, 1, 1))
+    {
+        smooth.push_back({"design", u, {}, "", "", {1.0 + u[0]}});
+        scattered.push_back({"design", u, {}, "", "", {1.0 + u[0] + (smooth.size() % 2 == 0 ? 0.1 : -0.1)}});
+    }
+    const fit::Point middle{0.5};
+    EXPECT_LT(fit::Emulator(smooth, quantities).variance_shares(middle)(0), 1e-3);
+    const double share = fit::Emulator(scattered, quantities).variance_shares(middle)(0);
+    EXPECT_GT(share, 0.4); // scatter as large as the error of the observation
+    EXPECT_LT(share, 0.7);
+}
+
 } // namespace corticle

@@ -68,6 +68,21 @@ TEST(Posterior, ADensityThatSaysNothingFillsTheCube)
     EXPECT_NEAR(fit::quantile(values, 0.95), 0.95, 0.02);
 }
 
+TEST(Posterior, IntervalsThatHoldTogetherAreWider)
+{
+    Random random(5);
+    std::vector<fit::Point> apart;
+    std::vector<fit::Point> alike;
+    for (int i = 0; i < 40000; ++i)
+    {
+        const double one = random.normal();
+        apart.push_back({one, random.normal(), random.normal(), random.normal()});
+        alike.push_back({one, 2.0 * one, one + 1.0});
+    }
+    EXPECT_NEAR(fit::level_of_each(apart, 0.9), std::pow(0.9, 0.25), 0.002);
+    EXPECT_NEAR(fit::level_of_each(alike, 0.9), 0.9, 1e-3); // what goes together is as good as one
+}
+
 TEST(Minimize, MethodsAreFoundByTheirNames)
 {
     EXPECT_EQ(fit::find_method("BOBYQA"), "LN_BOBYQA");

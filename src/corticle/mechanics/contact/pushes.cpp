@@ -129,9 +129,10 @@ void SurfaceContact::add_up(const Owners<Pair>& owners, const Place& from, const
     }
 }
 
-/// Adds the pushes up to what acts on each vertex, those of the owners before the middle and the others apart.
-void SurfaceContact::add_up(Owner middle)
+/// Adds the pushes of all ranks up to what acts on each vertex, in two halves.
+void SurfaceContact::add_up(std::span<const std::int64_t> counts, std::int64_t active)
 {
+    const Owner middle = middle_of(counts, active / 2);
     const Place of_vertices = place_of(vertices_, middle);
     const Place of_edges = place_of(edges_, middle - std::ssize(vertices_.barrier));
     parallel_both(
@@ -208,23 +209,6 @@ double SurfaceContact::largest_rate() const
     parallel_runs(bounding(vertices_, std::span(largest).first(vertices_.count.size())),
                   bounding(edges_, std::span(largest).subspan(vertices_.count.size())));
     return std::sqrt(near_.share().largest(*std::ranges::max_element(largest)));
-}
-
-ContactResponse SurfaceContact::evaluate(std::span<const Vec3> x, std::span<Vec3> forces)
-{
-    near_.update(x, places_);
-    find_closest();
-    parallel_runs(working_out(vertices_), working_out(edges_));
-    const std::vector<std::int64_t> counts = count_pushes();
-    ContactResponse response;
-    response.active = std::accumulate(counts.begin(), counts.end(), std::int64_t{0});
-    if (response.active > 0)
-    {
-        add_up(middle_of(counts, response.active / 2));
-        give(forces);
-        response.largest_rate = largest_rate();
-    }
-    return response;
 }
 
 double SurfaceContact::energy() const

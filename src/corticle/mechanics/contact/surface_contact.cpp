@@ -230,4 +230,21 @@ auto SurfaceContact::working_out(Owners<Pair>& owners) const
                      owners_at_a_time};
 }
 
+ContactResponse SurfaceContact::evaluate(std::span<const Vec3> x, std::span<Vec3> forces)
+{
+    near_.update(x, places_);
+    find_closest();
+    parallel_runs(working_out(vertices_), working_out(edges_));
+    const std::vector<std::int64_t> counts = count_pushes();
+    ContactResponse response;
+    response.active = std::accumulate(counts.begin(), counts.end(), std::int64_t{0});
+    if (response.active > 0)
+    {
+        add_up(counts, response.active);
+        give(forces);
+        response.largest_rate = largest_rate();
+    }
+    return response;
+}
+
 } // namespace corticle::contact

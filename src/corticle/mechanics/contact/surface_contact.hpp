@@ -135,7 +135,7 @@ class SurfaceContact
     static Place place_of(const Owners<Pair>& owners, Owner owner);
     template <class Pair>
     static void add_up(const Owners<Pair>& owners, const Place& from, const Place& to, std::vector<Vec3>& loads);
-    void add_up(Owner middle);
+    void add_up(std::span<const std::int64_t> counts, std::int64_t active);
     double row_of(const Push& push) const;
     void give(std::span<Vec3> forces);
     template <class Pair>

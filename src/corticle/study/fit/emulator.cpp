@@ -21,6 +21,9 @@ using Eigen::VectorXd;
 namespace
 {
 
+constexpr double slope_step = 0.01;
+constexpr double even_variance = 1.0 / 12.0; // of a coordinate that may be anywhere in the cube
+
 /// Correlations between targets of the errors of left-out runs, shrunk by what they owe to the number of runs: the
 /// variance of a correlation r of n values is (1 - r²)² / (n - 1) (Schäfer & Strimmer 2005).
 MatrixXd shrunk_correlation(std::span<const GaussianProcess> processes, Index targets)
@@ -109,12 +112,49 @@ Emulator::Predictions Emulator::predict(std::span<const double> u) const
     return result;
 }
 
+/// Of the emulator's errors of the targets.
+MatrixXd Emulator::error_covariance(const Predictions& predictions) const
+{
+    const VectorXd deviations = predictions.variance.head(observed_.size()).cwiseSqrt();
+    return deviations.asDiagonal() * correlation_ * deviations.asDiagonal();
+}
+
+VectorXd Emulator::variance_shares(std::span<const double> u) const
+{
+    const Index targets = observed_.size();
+    const auto dimensions = static_cast<Index>(u.size());
+    const MatrixXd errors = error_covariance(predict(u));
+    MatrixXd covariance = errors;
+    covariance.diagonal() += observed_variance_;
+    MatrixXd slopes(targets, dimensions);
+    for (Index k = 0; k < dimensions; ++k)
+    {
+        Point below(u.begin(), u.end());
+        Point above = below;
+        double& low = below[static_cast<std::size_t>(k)];
+        double& high = above[static_cast<std::size_t>(k)];
+        low = std::max(0.0, low - slope_step);
+        high = std::min(1.0, high + slope_step);
+        for (Index q = 0; q < targets; ++q)
+        {
+            const GaussianProcess& process = processes_[static_cast<std::size_t>(q)];
+            slopes(q, k) = (process.mean(above) - process.mean(below)) / (high - low);
+        }
+    }
+    const Eigen::LLT<MatrixXd> factor(covariance);
+    const MatrixXd weighted = factor.solve(slopes);
+    MatrixXd precision = slopes.transpose() * weighted;
+    precision.diagonal().array() += 1.0 / even_variance;
+    const MatrixXd variance = precision.llt().solve(MatrixXd::Identity(dimensions, dimensions));
+    const MatrixXd gain = variance * weighted.transpose();
+    return (gain * errors * gain.transpose()).diagonal().cwiseQuotient(variance.diagonal());
+}
+
 double Emulator::log_likelihood(std::span<const double> u) const
 {
     const Index targets = observed_.size();
     const Predictions predictions = predict(u);
-    const VectorXd deviations = predictions.variance.head(targets).cwiseSqrt();
-    MatrixXd covariance = deviations.asDiagonal() * correlation_ * deviations.asDiagonal();
+    MatrixXd covariance = error_covariance(predictions);
     covariance.diagonal() += observed_variance_;
     const Eigen::LLT<MatrixXd> factor(covariance);
     if (factor.info() != Eigen::Success)

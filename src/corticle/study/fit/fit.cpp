@@ -170,11 +170,16 @@ std::vector<Point> Fitting::likely_points(const Knowledge& knowledge, int count,
     return points;
 }
 
+/// Rounds of runs near the answer, until the emulator's errors hardly count in it.
 void Fitting::refine()
 {
     for (int round = 1; round <= fit_.surrogate.refinements; ++round)
     {
         const Knowledge knowledge = learn(fit_, emulator(), starts());
+        if (knowledge.of_emulator.maxCoeff() <= fit_.surrogate.share)
+        {
+            return;
+        }
         add(likely_points(knowledge, fit_.surrogate.runs_a_round, fit_.study.seed + static_cast<std::uint64_t>(round)),
             "refinement");
     }

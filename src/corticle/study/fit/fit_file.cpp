@@ -48,7 +48,7 @@ Minimization read_search(const config::TomlNode& node, const sweep::SweepPlace& 
 
 SurrogateOptions read_surrogate(const config::TomlNode& node, const sweep::SweepPlace& place, std::size_t parameters)
 {
-    static constexpr std::array<std::string_view, 4> keys{"points", "width", "refinements", "runs_a_round"};
+    static constexpr std::array<std::string_view, 5> keys{"points", "width", "refinements", "runs_a_round", "share"};
     const TableReader table(node, place, "[surrogate]", keys);
     SurrogateOptions options;
     const auto fewest = static_cast<std::int64_t>(2 * (parameters + 1));
@@ -65,8 +65,14 @@ SurrogateOptions read_surrogate(const config::TomlNode& node, const sweep::Sweep
         throw InputError(fmt::format("width ({}): got {}, expected a share from {} to 1", table.where(), options.width,
                                      least_width));
     }
-    options.refinements = static_cast<int>(table.count("refinements", 3, 0, 100));
-    options.runs_a_round = static_cast<int>(table.count("runs_a_round", 4, 1, 1000));
+    options.refinements = static_cast<int>(table.count("refinements", options.refinements, 0, 100));
+    options.runs_a_round = static_cast<int>(table.count("runs_a_round", options.runs_a_round, 1, 1000));
+    options.share = table.positive_if("share").value_or(options.share);
+    if (options.share > 1.0)
+    {
+        throw InputError(fmt::format("share ({}): got {}, expected a share of the variance, up to 1", table.where(),
+                                     options.share));
+    }
     return options;
 }
 

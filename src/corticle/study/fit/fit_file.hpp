@@ -23,7 +23,8 @@ struct SurrogateOptions
 {
     int points = 0;       ///< a latin hypercube; 0: no surrogate, and no uncertainty
     double width = 1.0;   ///< share of the cube that they cover, about the best point so far
-    int refinements = 3;  ///< rounds of runs where the surrogate expects the parameters
+    int refinements = 6;  ///< most rounds of runs where the surrogate expects the parameters
+    double share = 0.1;   ///< of the variance of each parameter that is the surrogate's: rounds end there
     int runs_a_round = 4; ///< the most likely point, and draws from the posterior
 };
 

@@ -43,6 +43,9 @@ Json parameters_json(const FitFile& fit, const FitResult& result)
         {
             json["mode"] = one.value(result.knowledge->mode[k]);
             json["posterior"] = interval_json(result.knowledge->parameters[k]);
+            json["posterior"]["low_together"] = result.knowledge->together[k].low;
+            json["posterior"]["high_together"] = result.knowledge->together[k].high;
+            json["variance_share_of_surrogate"] = result.knowledge->of_emulator(static_cast<Eigen::Index>(k));
             json["sd_over_prior"] = result.knowledge->narrowed[k];
             json["r_hat"] = result.knowledge->draws.mixing[k];
         }
@@ -82,8 +85,9 @@ Json quantities_json(const FitFile& fit, const FitResult& result)
 
 std::string parameters_table(const FitFile& fit, const FitResult& result)
 {
-    std::string text = "| parameter | unit | bounds | best run | median | 90 % | sd over prior's |\n"
-                       "|---|---|---|---|---|---|---|\n";
+    std::string text = "| parameter | unit | bounds | best run | median | 90 % each | 90 % all together | sd over prior's | "
+                       "surrogate's share of its variance |\n"
+                       "|---|---|---|---|---|---|---|---|---|\n";
     for (std::size_t k = 0; k < fit.space.size(); ++k)
     {
         const FreeParameter& one = fit.space.parameters[k];
@@ -92,12 +96,14 @@ std::string parameters_table(const FitFile& fit, const FitResult& result)
         if (result.knowledge)
         {
             const Interval& found = result.knowledge->parameters[k];
-            text += fmt::format(" {:.5g} | {:.5g} to {:.5g} | {:.2f} |\n", found.median, found.low, found.high,
-                                result.knowledge->narrowed[k]);
+            const Interval& together = result.knowledge->together[k];
+            text += fmt::format(" {:.5g} | {:.5g} to {:.5g} | {:.5g} to {:.5g} | {:.2f} | {:.0f} % |\n", found.median,
+                                found.low, found.high, together.low, together.high, result.knowledge->narrowed[k],
+                                100.0 * result.knowledge->of_emulator(static_cast<Eigen::Index>(k)));
         }
         else
         {
-            text += " | | |\n";
+            text += " | | | | |\n";
         }
     }
     return text + "\n";
@@ -115,6 +121,11 @@ std::string cautions(const FitFile& fit, const Knowledge& known)
                 fmt::format("- **`{}` is hardly determined**: its uncertainty is {:.0f} % of what it was before the "
                             "targets were looked at.\n",
                             fit.space.parameters[k].key, 100.0 * known.narrowed[k]);
+        }
+        if (known.of_emulator(static_cast<Eigen::Index>(k)) > fit.surrogate.share)
+        {
+            text += fmt::format("- The surrogate's errors make {:.0f} % of the variance of `{}`: more `refinements`.\n",
+                                100.0 * known.of_emulator(static_cast<Eigen::Index>(k)), fit.space.parameters[k].key);
         }
         if (known.draws.mixing[k] > good_mixing)
         {

@@ -16,7 +16,7 @@ namespace corticle::fit
 struct Interval
 {
     double median = 0.0;
-    double low = 0.0; ///< 90 % lie between
+    double low = 0.0; ///< 90 % of the draws lie between
     double high = 0.0;
     double sd = 0.0;
 };
@@ -28,7 +28,9 @@ struct Knowledge
     Point mode;
     Draws draws;
     std::vector<Interval> parameters; ///< in their units
+    std::vector<Interval> together;   ///< the same, with 90 % of the draws within all of them at once
     std::vector<double> narrowed;     ///< sd over that of the prior, of each coordinate
+    Eigen::VectorXd of_emulator;      ///< share of the variance of each coordinate that is the emulator's
     Eigen::MatrixXd correlations;     ///< of the coordinates
     std::vector<Interval> certain;    ///< each quantity: what the parameters leave open
     std::vector<Interval> expected;   ///< each quantity: of a run, the emulator's error and scatter included

@@ -11,11 +11,11 @@ namespace
 {
 
 constexpr std::size_t band_draws = 1000;
-constexpr double low_level = 0.05;
-constexpr double high_level = 0.95;
+constexpr double level_together = 0.9;
 constexpr int prior_points = 2000;
 
-Interval interval_of(const std::vector<double>& values)
+/// @param level  of the values within the interval
+Interval interval_of(const std::vector<double>& values, double level = 0.9)
 {
     double mean = 0.0;
     for (const double value : values)
@@ -27,7 +27,7 @@ Interval interval_of(const std::vector<double>& values)
     {
         squares += (value - mean) * (value - mean);
     }
-    return {quantile(values, 0.5), quantile(values, low_level), quantile(values, high_level),
+    return {quantile(values, 0.5), quantile(values, 0.5 - 0.5 * level), quantile(values, 0.5 + 0.5 * level),
             std::sqrt(squares / static_cast<double>(values.size()))};
 }
 
@@ -84,7 +84,9 @@ Knowledge learn(const FitFile& fit, Emulator emulator, std::span<const Point> st
     const Point mode = find_mode(density, starts);
     Draws draws = fit.posterior.is_laplace ? laplace(density, mode, fit.posterior.samples, fit.study.seed)
                                            : walk(density, mode, fit.posterior.samples, fit.study.seed);
-    Knowledge knowledge{std::move(emulator), mode, std::move(draws), {}, {}, {}, {}, {}};
+    Knowledge knowledge{std::move(emulator), mode, std::move(draws), {}, {}, {}, {}, {}, {}, {}};
+    const double together = level_of_each(knowledge.draws.points, level_together);
+    knowledge.of_emulator = knowledge.emulator.variance_shares(mode);
     for (std::size_t k = 0; k < fit.space.size(); ++k)
     {
         std::vector<double> values;
@@ -97,6 +99,7 @@ Knowledge learn(const FitFile& fit, Emulator emulator, std::span<const Point> st
                                               : parameter.low + u[k] * (parameter.high - parameter.low));
         }
         knowledge.parameters.push_back(interval_of(values));
+        knowledge.together.push_back(interval_of(values, together));
         knowledge.narrowed.push_back(interval_of(coordinates).sd / prior_sd(fit.space, k));
     }
     knowledge.correlations = correlations(knowledge.draws.points);

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace corticle::fit
 {
@@ -284,6 +285,25 @@ double quantile(std::vector<double> values, double level)
     const auto below = static_cast<std::size_t>(place);
     const std::size_t above = std::min(below + 1, values.size() - 1);
     return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
+}
+
+double level_of_each(std::span<const Point> points, double level)
+{
+    // How far out each draw is: the largest of its coordinates' ranks from the nearer end, as a share from 0 to 1.
+    std::vector<double> outermost(points.size());
+    std::vector<std::size_t> order(points.size());
+    for (std::size_t k = 0; k < points.front().size(); ++k)
+    {
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::ranges::stable_sort(order, {}, [&](std::size_t i) { return points[i][k]; });
+        for (std::size_t rank = 0; rank < order.size(); ++rank)
+        {
+            const double place = (static_cast<double>(rank) + 0.5) / static_cast<double>(order.size());
+            double& far = outermost[order[rank]];
+            far = std::max(far, std::abs(2.0 * place - 1.0));
+        }
+    }
+    return quantile(std::move(outermost), level);
 }
 
 MatrixXd correlations(std::span<const Point> points)

@@ -38,6 +38,10 @@ Draws laplace(const LogDensity& density, const Point& mode, int count, std::uint
 /// Of values the share `level` of which lies below.
 double quantile(std::vector<double> values, double level);
 
+/// The share of draws that must lie within an interval of each coordinate, from rank to rank alike, so that `level` of
+/// them lie within all intervals at once (Besag, Green, Higdon & Mengersen 1995).
+double level_of_each(std::span<const Point> points, double level);
+
 /// Correlations of the coordinates of points.
 Eigen::MatrixXd correlations(std::span<const Point> points);
 
