@@ -3,6 +3,7 @@
 
 #include "corticle/geometry/shapes.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 

@@ -70,7 +70,7 @@ TEST(Posterior, ADensityThatSaysNothingFillsTheCube)
 
 TEST(Posterior, IntervalsThatHoldTogetherAreWider)
 {
-    Random random(5);
+    fit::Random random(5);
     std::vector<fit::Point> apart;
     std::vector<fit::Point> alike;
     for (int i = 0; i < 40000; ++i)

@@ -109,18 +109,32 @@ void SurfaceContact::make_room(Owners<Pair>& owners) const
     owners.count.resize(static_cast<std::size_t>(block_count(count, owners_at_a_time)));
 }
 
-/// Gaps of the owners from the near pairs at rest.
+/// Gaps of the owners from the near pairs at rest, of which the rank that answers for an owner knows all.
 template <class Pair>
 void SurfaceContact::set_gaps(const NearPairs::Blocks<Pair>& near, Owners<Pair>& owners) const
 {
+    struct Gap
+    {
+        std::int64_t owner;
+        double gap;
+    };
+    std::vector<Gap> gaps;
     for_each_of(near,
                 [&](const Pair& pair)
                 {
                     for (const std::int32_t owner : owners_of(pair))
                     {
-                        owners.barrier[owner].gap = std::min(owners.barrier[owner].gap, pair.distance);
+                        if (answers_for(owners, owner))
+                        {
+                            gaps.push_back({owner, pair.distance});
+                        }
                     }
                 });
+    for (const auto& [owner, distance] : near_.share().of_all(std::move(gaps)))
+    {
+        double& gap = owners.barrier[static_cast<std::size_t>(owner)].gap;
+        gap = std::min(gap, distance);
+    }
 }
 
 /// Finds the closest of one half of the near pairs for every owner, of several as close the first.

@@ -26,8 +26,8 @@ class Emulator
     /// that its left-out errors have between targets (shrunk towards none by what few runs leave open).
     double log_likelihood(std::span<const double> u) const;
 
-    /// What share of the variance of each parameter the emulator's own errors make there, not the observations: with the
-    /// derivatives of the predictions, and the even density over the cube before the targets.
+    /// What share of the variance of each parameter the emulator's own errors make there, not the observations: with
+    /// the derivatives of the predictions, and the even density over the cube before the targets.
     Eigen::VectorXd variance_shares(std::span<const double> u) const;
 
     /// Additive correction of every prediction, learnt from dearer runs at some points: the mean of what they give more

@@ -70,8 +70,8 @@ SurrogateOptions read_surrogate(const config::TomlNode& node, const sweep::Sweep
     options.share = table.positive_if("share").value_or(options.share);
     if (options.share > 1.0)
     {
-        throw InputError(fmt::format("share ({}): got {}, expected a share of the variance, up to 1", table.where(),
-                                     options.share));
+        throw InputError(
+            fmt::format("share ({}): got {}, expected a share of the variance, up to 1", table.where(), options.share));
     }
     return options;
 }

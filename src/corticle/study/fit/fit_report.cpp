@@ -85,9 +85,10 @@ Json quantities_json(const FitFile& fit, const FitResult& result)
 
 std::string parameters_table(const FitFile& fit, const FitResult& result)
 {
-    std::string text = "| parameter | unit | bounds | best run | median | 90 % each | 90 % all together | sd over prior's | "
-                       "surrogate's share of its variance |\n"
-                       "|---|---|---|---|---|---|---|---|---|\n";
+    std::string text =
+        "| parameter | unit | bounds | best run | median | 90 % each | 90 % all together | sd over prior's | "
+        "surrogate's share of its variance |\n"
+        "|---|---|---|---|---|---|---|---|---|\n";
     for (std::size_t k = 0; k < fit.space.size(); ++k)
     {
         const FreeParameter& one = fit.space.parameters[k];
