@@ -8,8 +8,8 @@
 #include <chrono>
 #include <cstdlib>
 
-// Times what a rank does of the contact of a folded sphere, for several numbers of ranks: each in turn, by this process
-// alone, as if what the others send were there at once.
+// Times what a rank does of the contact of a sphere, smooth and fully folded, for several numbers of ranks: each in turn,
+// by this process alone, as if what the others send were there at once.
 
 namespace
 {
@@ -37,7 +37,7 @@ class Pretended final : public Communicator
 /// The surface, its vertices along a curve, as those of a body are.
 struct Surface
 {
-    explicit Surface(std::int64_t particles)
+    Surface(std::int64_t particles, bool is_folded)
     {
         const bench::FoldedSphere folded(particles);
         std::vector<std::int32_t> place(folded.x.size());
@@ -45,7 +45,7 @@ struct Surface
         {
             place[static_cast<std::size_t>(k)] = static_cast<std::int32_t>(x.size());
             rest.push_back(folded.rest.vertices[static_cast<std::size_t>(k)]);
-            x.push_back(folded.x[static_cast<std::size_t>(k)]);
+            x.push_back(is_folded ? folded.x[static_cast<std::size_t>(k)] : rest.back());
         }
         for (const auto& [a, b, c] : folded.rest.triangles)
         {
@@ -106,19 +106,25 @@ int main(int argc, char** argv)
         fmt::print(stderr, "usage: corticle_contact_shares PARTICLES RANKS...\n");
         return 2;
     }
-    const Surface surface(std::atoll(argv[1]));
-    fmt::print("{{\"vertices\": {}, \"seconds\": {{\"1\": {:.6g}", surface.x.size(), step_of(surface, 0, 1));
-    for (int k = 2; k < argc; ++k)
+    fmt::print("{{");
+    for (const bool is_folded : {false, true})
     {
-        const int ranks = std::atoi(argv[k]);
-        double slowest = 0.0;
-        for (int n = 0; n < std::min(ranks, most_ranks_timed); ++n)
+        const Surface surface(std::atoll(argv[1]), is_folded);
+        fmt::print("{}\"{}\": {{\"vertices\": {}, \"1\": {:.6g}", is_folded ? ", " : "", is_folded ? "folded" : "smooth",
+                   surface.x.size(), step_of(surface, 0, 1));
+        for (int k = 2; k < argc; ++k)
         {
-            slowest = std::max(slowest, step_of(surface, n * ranks / std::min(ranks, most_ranks_timed), ranks));
+            const int ranks = std::atoi(argv[k]);
+            const int timed = std::min(ranks, most_ranks_timed);
+            double slowest = 0.0;
+            for (int n = 0; n < timed; ++n)
+            {
+                slowest = std::max(slowest, step_of(surface, n * ranks / timed, ranks));
+            }
+            fmt::print(", \"{}\": {:.6g}", ranks, slowest);
         }
-        fmt::print(", \"{}\": {:.6g}", ranks, slowest);
-        std::fflush(stdout);
+        fmt::print("}}");
     }
-    fmt::print("}}}}\n");
+    fmt::print("}}\n");
     return 0;
 }

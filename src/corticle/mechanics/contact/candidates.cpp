@@ -244,7 +244,7 @@ void SurfaceParts::find_candidates(std::span<const Vec3> x, double range, std::s
     enclose<Edge>(edges_, x, range, reach, searched_edges_);
     if (share.is_part())
     {
-        search_about(share, x, 2.0 * range);
+        search_about(share, x, 8.0 * range);
     }
     const auto measured = [&](auto& pairs) { measure(x, pairs); };
     find_pairs(
