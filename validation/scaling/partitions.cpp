@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/base/random.hpp"
-#include "corticle/mechanics/contact/cell_marks.hpp"
 #include "corticle/mesh/cell_grid.hpp"
 #include "corticle/mesh/halo.hpp"
 #include "corticle/mesh/space_filling_curve.hpp"
@@ -22,7 +21,6 @@ using namespace corticle;
 
 constexpr double support = 2.3;           // spacings: as of solver.support
 constexpr double jitter = 0.3;            // spacings
-constexpr double beside = 3.0;            // spacings: about as far as a rank looks beyond its own surface for contact
 constexpr double of_quadratic_fit = 70.0; // pairs: as tlsph::block_costs has it
 
 /// Distance to the surface from inside, about: exact for the sphere. Spacings of a body of unit size.
@@ -96,28 +94,6 @@ bool is_enriched(float depth)
     return depth < 2.87f;
 }
 
-/// Particles of the surface whose contact a rank works out: its own, and those beside them.
-std::int64_t count_in_contact(const Cloud& cloud, std::span<const std::int32_t> surface, std::int64_t begin,
-                              std::int64_t end)
-{
-    contact::CellMarks own(bounding_box(cloud.points), 1.0);
-    const Vec3 wide{beside, beside, beside};
-    for (const std::int32_t i : surface)
-    {
-        if (i >= begin && i < end)
-        {
-            const Vec3& at = cloud.points[static_cast<std::size_t>(i)];
-            own.mark({at - wide, at + wide});
-        }
-    }
-    return std::ranges::count_if(surface,
-                                 [&](std::int32_t i)
-                                 {
-                                     const Vec3& at = cloud.points[static_cast<std::size_t>(i)];
-                                     return own.meets({at, at});
-                                 });
-}
-
 /// One line of a JSON list for every rank.
 void print_ranks(const Cloud& cloud, const CellGrid& grid, std::span<const double> costs, int ranks)
 {
@@ -133,14 +109,6 @@ void print_ranks(const Cloud& cloud, const CellGrid& grid, std::span<const doubl
                       }
                   });
     };
-    std::vector<std::int32_t> on_surface;
-    for (std::int32_t i = 0; i < std::ssize(cloud.depth); ++i)
-    {
-        if (is_surface(cloud.depth[static_cast<std::size_t>(i)]))
-        {
-            on_surface.push_back(i);
-        }
-    }
     const Partition partition = make_partition(std::ssize(cloud.points), costs, ranks);
     std::vector<std::string> lines(static_cast<std::size_t>(ranks));
     parallel_blocks(
@@ -179,9 +147,8 @@ void print_ranks(const Cloud& cloud, const CellGrid& grid, std::span<const doubl
                 cost += costs[static_cast<std::size_t>(begin / partition_block + block)];
             }
             lines[static_cast<std::size_t>(k)] = fmt::format(
-                R"({{"owned": {}, "ghosts": {}, "neighbours": {}, "bytes": {}, "surface": {}, "in_contact": {}, "blocks": {}, "inner_blocks": {}, "cost": {:.0f}}})",
-                end - begin, ghosts, halo.size(), bytes, surface, count_in_contact(cloud, on_surface, begin, end),
-                is_outer.size(), inner_blocks, cost);
+                R"({{"owned": {}, "ghosts": {}, "neighbours": {}, "bytes": {}, "surface": {}, "blocks": {}, "inner_blocks": {}, "cost": {:.0f}}})",
+                end - begin, ghosts, halo.size(), bytes, surface, is_outer.size(), inner_blocks, cost);
         },
         1);
     fmt::print("{}", fmt::join(lines, ",\n  "));

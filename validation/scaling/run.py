@@ -48,7 +48,8 @@ def step_seconds(ranks, overlapped, contact=None):
         inner = local_seconds(rank) * rank["inner_blocks"] / max(rank["blocks"], 1)
         return local_seconds(rank) + (max(0.0, sent - inner) if overlapped else sent)
 
-    contact = vertices *     gathered = COLLECTIVES * LATENCY * math.ceil(math.log2(len(ranks))) if len(ranks) > 1 else 0.0
+    of_contact = contact[str(len(ranks))] * vertices / contact["vertices"] if contact else 0.0
+    gathered = COLLECTIVES * LATENCY * math.ceil(math.log2(len(ranks))) if len(ranks) > 1 else 0.0
     gathered += (vertices * BYTES_PER_VERTEX + blocks * BYTES_PER_BLOCK) / BYTES_PER_SECOND if len(ranks) > 1 else 0.0
     return max(map(of, ranks)) + of_contact + gathered
 
