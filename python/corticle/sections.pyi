@@ -45,6 +45,7 @@ class Map(Section):
     region_file: str
     region_array: str
     region_table: str
+    modes: Sequence[float]
     protomap_amplitude: float
     protomap_wavelength_mm: Optional[float]
     protomap_seed: Optional[int]
