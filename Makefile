@@ -12,7 +12,7 @@ COMMAND := build/release/bin/corticle
 MAKEFLAGS += --no-print-directory
 
 .NOTPARALLEL:
-.PHONY: fold command mpi test build install package python python-docs dev asan tsan validate validate-thesis bench format format-check lint setup setup-tests setup-dev setup-python clean help
+.PHONY: fold command mpi test build install package python docs dev asan tsan validate validate-thesis bench format format-check lint setup setup-tests setup-dev setup-python clean help
 .DEFAULT_GOAL := help
 
 help: ## list the goals
@@ -46,8 +46,9 @@ mpi: setup-mpi build/mpi/.configured ## build the command for runs by many proce
 python: setup-python command ## build the Python package, install it into build/venv, run its tests
 	@scripts/python.sh --test
 
-python-docs: python ## write the reference of the Python package to build/api
-	build/venv/bin/python -m sphinx -W -q -b html docs/api build/api
+docs: python ## write all pages as a site to build/site, the reference of the Python package with them
+	/usr/bin/python3 -m sphinx -W -q -b html -c docs/site . build/site
+	build/venv/bin/python -m sphinx -W -q -b html docs/api build/site/api
 
 dev: setup-tests build/dev/.configured ## build and test with assertions, warnings as errors
 	cmake --build --preset dev --parallel $(JOBS)

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Installs what the build needs and is not there. Quick when nothing is missing.
 #   scripts/setup.sh          to build, run and test
-#   scripts/setup.sh --tests  also node and Chromium, for tests of reports, Open MPI, and with CORTICLE_TEST_SLURM=1 Slurm; where they
+#   scripts/setup.sh --tests  also node and Chromium, for tests of reports, Open MPI, the site's Sphinx, and with CORTICLE_TEST_SLURM=1 Slurm; where they
 #                             cannot be had, these tests are skipped
 #   scripts/setup.sh --mpi    also Open MPI (make mpi)
 #   scripts/setup.sh --dev    also clang, clang-tidy and clang's OpenMP (make lint, make tsan)
@@ -23,6 +23,7 @@ packages=(
 [[ ${1:-} == --python ]] && packages+=(
     pybind11-dev python3-pybind11 python3-dev python3-venv python3-pip python3-setuptools python3-wheel python3-numpy
     python3-pytest python3-pandas python3-meshio python3-matplotlib python3-vtk9 python3-tqdm python3-sphinx mypy
+    python3-myst-parser # make docs
     dpkg-dev # make package
 )
 wished=()
@@ -31,6 +32,7 @@ if [[ ${1:-} == --tests ]]; then
     # Daemons, hence only where asked for: .ci/run does.
     [[ -n ${CORTICLE_TEST_SLURM:-} ]] && { command -v slurmctld >/dev/null || wished+=(slurm-wlm munge); }
     command -v mpirun >/dev/null || wished+=(libopenmpi-dev openmpi-bin)
+    /usr/bin/python3 -c 'import myst_parser' 2>/dev/null || wished+=(python3-sphinx python3-myst-parser)
     command -v chromium >/dev/null || command -v chromium-browser >/dev/null || wished+=(chromium)
 fi
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reference of the Python package, made from its docstrings: make python-docs."""
+"""Reference of the Python package, made from its docstrings: make docs."""
 
 import corticle
 

@@ -107,7 +107,7 @@ def main():
         for shape in ("sphere", "brain"):
             counted = read_json(arguments.counter, shape, particles, *arguments.ranks)
             rows += [row(counted, number, contact) for number in arguments.ranks]
-            (arguments.out / "results.md").write_text(table(rows), encoding="utf-8")
+            (arguments.out / "results.md").write_text("# Partitions counted\n\n" + table(rows), encoding="utf-8")
     print(table(rows))
 
 
