@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/study/fit/posterior.hpp"
 
-#include "corticle/study/fit/minimize.hpp"
+#include "corticle/study/surrogate/minimize.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "corticle/study/fit/evaluator.hpp"
-#include "corticle/study/fit/gaussian_process.hpp"
+#include "corticle/study/surrogate/gaussian_process.hpp"
 
 namespace corticle::fit
 {

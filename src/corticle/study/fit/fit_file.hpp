@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/study/fit/minimize.hpp"
 #include "corticle/study/fit/parameter_space.hpp"
 #include "corticle/study/fit/quantity.hpp"
+#include "corticle/study/surrogate/minimize.hpp"
 
 namespace corticle::fit
 {

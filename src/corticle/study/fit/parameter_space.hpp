@@ -2,8 +2,8 @@
 #pragma once
 
 #include "corticle/config/parameters/options.hpp"
-#include "corticle/study/fit/design.hpp"
 #include "corticle/study/fit/table_reader.hpp"
+#include "corticle/study/surrogate/design.hpp"
 
 #include <string>
 

@@ -2,7 +2,7 @@
 #include "corticle/study/fit/posterior.hpp"
 
 #include "corticle/base/parallel.hpp"
-#include "corticle/study/fit/minimize.hpp"
+#include "corticle/study/surrogate/minimize.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>

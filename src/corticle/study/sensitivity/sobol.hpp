@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/study/fit/gaussian_process.hpp"
+#include "corticle/study/surrogate/gaussian_process.hpp"
 
 #include <functional>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/study/fit/minimize.hpp"
+#include "corticle/study/surrogate/minimize.hpp"
 
 #include <nlopt.h>
 

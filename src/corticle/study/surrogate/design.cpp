@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/study/fit/design.hpp"
+#include "corticle/study/surrogate/design.hpp"
 
 #include "corticle/base/random.hpp"
 

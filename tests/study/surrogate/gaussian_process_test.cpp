@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/study/fit/gaussian_process.hpp"
+#include "corticle/study/surrogate/gaussian_process.hpp"
 
 #include <gtest/gtest.h>
 
