@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Small waves on a film that grows on a base of finite depth, under a pressure: at which growth they need no force.
+
+The theory of docs/theory/stability.md, with the depth of the base, the rollers below it and a pressure that follows the
+surface; in thicknesses of the film before growth, and in shear moduli of the base.
+"""
+
+import math
+from dataclasses import dataclass
+
+LAYER_STEPS = 24
+BASE_STEPS = 96
+LARGEST_GROWTH = 2.0
+GROWTH_STEP = 0.01
+PRECISION = 1e-6
+
+
+@dataclass(frozen=True)
+class Strip:
+    """What the onset depends on. bulk: of film and base, in their own shear moduli; isotropic: growth along the normal, too."""
+
+    ratio: float
+    bulk: float
+    depth: float = 8.0
+    pressure: float = 0.0
+    isotropic: bool = False
+
+
+@dataclass(frozen=True)
+class Moduli:
+    """Incremental moduli about a compressed state: x in the plane, z across; thickness over that before."""
+
+    thickness: float
+    xxxx: float
+    zzzz: float
+    xxzz: float
+    xzxz: float
+    zxzx: float
+    xzzx: float
+
+
+def stress_across(in_plane, across, mu, bulk):
+    """Cauchy stress along z."""
+    volume = in_plane**2 * across
+    squares = 2 * in_plane**2 + across**2
+    return mu * volume ** (-5 / 3) * (across**2 - squares / 3) + bulk * (volume - 1)
+
+
+def stretch_across(in_plane, mu, bulk, pressure):
+    """The stretch at which the stress across is -pressure, by bisection: the stress rises with it."""
+    low, high = 0.05, 20.0
+    while high - low > 1e-13 * high:
+        middle = 0.5 * (low + high)
+        if stress_across(in_plane, middle, mu, bulk) < -pressure:
+            low = middle
+        else:
+            high = middle
+    return 0.5 * (low + high)
+
+
+def moduli(in_plane, mu, bulk, pressure):
+    """Of tissue with the elastic stretch in_plane along x and y, under a pressure across."""
+    a, s = in_plane, stretch_across(in_plane, mu, bulk, pressure)
+    volume = a * a * s
+    scaled = mu * volume ** (-2 / 3)
+    squares = 2 * a * a + s * s
+
+    def own(stretch):
+        return (scaled * (5 / 9 * squares - stretch**2 / 3) + bulk * volume**2) / volume
+
+    stress = (scaled * (a * a - squares / 3) + bulk * (volume - 1) * volume) / volume
+    cross = (scaled * (2 / 9 * squares - 2 / 3 * (a * a + s * s)) + bulk * volume * (2 * volume - 1)) / volume
+    shear = scaled * a * a / volume
+    return Moduli(s, own(a), own(s), cross, shear, scaled * s * s / volume, shear - stress)
+
+
+def slope(tissue, k, wave):
+    """d/dz of the amplitudes (u, w, shear traction, normal traction) of a wave in equilibrium."""
+    u, w, shear, normal = wave
+    du = (shear + tissue.xzzx * k * w) / tissue.zxzx
+    dw = (normal - tissue.xxzz * k * u) / tissue.zzzz
+    return du, dw, k * (tissue.xxxx * k * u + tissue.xxzz * dw), k * (tissue.xzxz * k * w - tissue.xzzx * du)
+
+
+def carried(tissue, k, wave, thickness, steps):
+    """The wave after a layer, by the Runge-Kutta method."""
+    h = thickness / steps
+
+    def moved(by, along):
+        return tuple(a + by * b for a, b in zip(wave, along))
+
+    for _ in range(steps):
+        first = slope(tissue, k, wave)
+        second = slope(tissue, k, moved(h / 2, first))
+        third = slope(tissue, k, moved(h / 2, second))
+        fourth = slope(tissue, k, moved(h, third))
+        wave = tuple(a + h / 6 * (p + 2 * q + 2 * r + s)
+                     for a, p, q, r, s in zip(wave, first, second, third, fourth))
+    return wave
+
+
+def surface_determinant(strip, growth, wavelength):
+    """0 where a wave of this length needs no force: two waves from the rollers below, carried to the surface."""
+    k = 2 * math.pi / wavelength
+    base = moduli(1.0, 1.0, strip.bulk, strip.pressure)
+    film = moduli(1 / growth, strip.ratio, strip.bulk * strip.ratio, strip.pressure)
+    thickness = film.thickness * (growth if strip.isotropic else 1.0)
+    ends = []
+    for start in ((1.0, 0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0)):
+        wave = carried(base, k, start, (strip.depth - 1) * base.thickness, BASE_STEPS)
+        size = max(map(abs, wave))
+        wave = tuple(part / size for part in wave)
+        u, w, shear, normal = carried(film, k, wave, thickness, LAYER_STEPS)
+        ends.append((shear + strip.pressure * k * w, normal + strip.pressure * k * u))
+    (first_shear, first_normal), (second_shear, second_normal) = ends
+    return first_shear * second_normal - first_normal * second_shear
+
+
+def onset(strip, wavelength):
+    """Growth at which this wavelength becomes unstable; None: not below LARGEST_GROWTH."""
+    flat = surface_determinant(strip, 1.0, wavelength)
+    stable = 1.0
+    while flat * surface_determinant(strip, stable + GROWTH_STEP, wavelength) > 0:
+        stable += GROWTH_STEP
+        if stable > LARGEST_GROWTH:
+            return None
+    unstable = stable + GROWTH_STEP
+    while unstable - stable > PRECISION:
+        middle = 0.5 * (stable + unstable)
+        if flat * surface_determinant(strip, middle, wavelength) > 0:
+            stable = middle
+        else:
+            unstable = middle
+    return unstable
+
+
+def critical(strip, wavelengths):
+    """(growth, wavelength) of the first of these waves to become unstable."""
+    found = [(onset(strip, wavelength), wavelength) for wavelength in wavelengths]
+    return min((entry for entry in found if entry[0]), default=(None, None))
+
+
+def strain(growth):
+    """Compression of a film that cannot extend: it would be `growth` times as long."""
+    return 1 - 1 / growth

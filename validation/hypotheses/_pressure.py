@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Growth at which a film folds under the pressure of a fluid, beside theory and Jafarabadi et al. (2023)."""
+
+import math
+
+import _layer
+import _runs
+import _strip
+
+PUBLISHED = {1: (0.263, 0.226), 3: (0.164, 0.135), 10: (0.0917, 0.0727)}  # critical strain at pressure / film modulus 0 and 4
+PRESSURES = (0.0, 4.0)
+BULK = 100.0
+CELLS = 4
+DEPTH = 8.0
+HALF_WAVES = 4
+MODES = 7
+LOADING = 150.0
+MOST_OFF = 0.10  # of the strain from theory of the same strip
+WAVES = {1: 6.2, 3: 7.8, 10: 10.4}
+
+
+def strip(ratio, pressure, depth=DEPTH):
+    """In shear moduli of the base; the pressure is given in those of the film."""
+    return _layer.Strip(ratio, BULK, depth, pressure * ratio)
+
+
+def plan(ratio, pressure):
+    """What a run is, and its settings: shear moduli and pressure over the modulus of the film."""
+    waves = [WAVES[ratio] * 1.03**k for k in range(-12, 8)]
+    growth, wavelength = _layer.critical(strip(ratio, pressure, 14.0), waves)
+    length, spacing = 0.5 * HALF_WAVES * wavelength, 1 / CELLS
+    alpha = 1.1 * (growth - 1)
+    settings = {"geometry.size_mm": f"[{length:.6f}, {4 * spacing:.6f}, {DEPTH}]", "geometry.spacing_mm": spacing,
+                "tissue.mu_cortex": 1.0, "tissue.mu_white": 1 / ratio, "tissue.bulk_modulus": BULK, "tissue.alpha_t": alpha,
+                "solver.loading_time": LOADING}
+    if pressure:
+        settings |= {"boundary.fluid": "constant", "boundary.pressure": pressure, "boundary.pressure_time": 0.3}
+    run = {"name": f"pressure_{ratio}_{pressure:g}", "ratio": ratio, "pressure": pressure, "length": length, "alpha": alpha,
+           "theory_growth": growth, "theory_wavelength": wavelength}
+    return run, [f"{key}={value}" for key, value in settings.items()]
+
+
+def describe(run, folder):
+    past = _strip.history(folder, run["alpha"], MODES)
+    modes = []
+    for n in range(2, MODES + 1):
+        growth, correlation = _strip.critical_growth(past, n)
+        modes.append({"n": n, "wavelength": 2 * run["length"] / n, "growth": growth, "correlation": correlation})
+    first = _strip.first_mode(modes)
+    summary = _runs.read_summary(folder)
+    return run | {"modes": modes, "growth": first["growth"], "wavelength": first["wavelength"],
+                  "strain": _layer.strain(first["growth"]), "theory_strain": _layer.strain(run["theory_growth"]),
+                  "published_strain": PUBLISHED[run["ratio"]][PRESSURES.index(run["pressure"])],
+                  "energy_balance_error": summary["energy_balance_error"], "particles": summary["particles"],
+                  "wall_s": summary["wall_s"]}
+
+
+def results_of(arguments, base):
+    found = []
+    for ratio in PUBLISHED:
+        for pressure in PRESSURES:
+            run, settings = plan(ratio, pressure)
+            folder = base / run["name"]
+            if not arguments.runs:
+                _runs.make_run(arguments, _strip.CASE, folder, settings)
+            if _runs.is_complete(folder):
+                found.append(describe(run, folder))
+            else:
+                print(f"{folder}: no complete run, left out")
+    return found
+
+
+def table(results):
+    columns = [("ratio", lambda r: r["ratio"], "d"), ("pressure / film modulus", lambda r: r["pressure"], "g"),
+               ("strain", lambda r: r["strain"], ".4f"), ("theory, following pressure", lambda r: r["theory_strain"], ".4f"),
+               ("published", lambda r: r["published_strain"], ".4f"), ("wavelength", lambda r: r["wavelength"], ".2f"),
+               ("theory", lambda r: r["theory_wavelength"], ".2f"), ("nodes", lambda r: r["particles"], ",d"),
+               ("energy balance error", lambda r: r["energy_balance_error"], ".1e"), ("wall s", lambda r: r["wall_s"], ".0f")]
+    return _runs.table(columns, results)
+
+
+def changes(results):
+    """(ratio, change of the strain from no pressure to the highest, the same by theory and published)."""
+    by_key = {(r["ratio"], r["pressure"]): r for r in results}
+    for ratio in PUBLISHED:
+        pair = [by_key.get((ratio, pressure)) for pressure in PRESSURES]
+        if all(pair):
+            yield {"ratio": ratio} | {name: pair[1][key] / pair[0][key] - 1 for name, key in
+                                      (("ours", "strain"), ("theory", "theory_strain"), ("published", "published_strain"))}
+
+
+def changes_table(results):
+    columns = [("ratio", lambda r: r["ratio"], "d"), ("ours", lambda r: r["ours"], "+.1%"),
+               ("theory", lambda r: r["theory"], "+.1%"), ("published", lambda r: r["published"], "+.1%")]
+    return _runs.table(columns, list(changes(results)))
+
+
+def differences(results):
+    for result in results:
+        if not abs(math.log(result["strain"] / result["theory_strain"])) < MOST_OFF:
+            yield (f"pressure, ratio {result['ratio']}, {result['pressure']:g}: critical strain {result['strain']:.4f}, "
+                   f"theory {result['theory_strain']:.4f}")
+    for change in changes(results):
+        if change["ours"] * change["published"] < 0:
+            yield (f"pressure, ratio {change['ratio']}: from the lowest to the highest the critical strain changes by "
+                   f"{change['ours']:+.1%}, published {change['published']:+.1%}")
+
+
+def panels(results):
+    pressures = [0.25 * k for k in range(17)]
+    curves = []
+    for ratio in PUBLISHED:
+        waves = [WAVES[ratio] * 1.04**k for k in range(-8, 6)]
+        found = [_layer.critical(strip(ratio, pressure, 14.0), waves)[0] for pressure in pressures]
+        curves.append((f"theory, ratio {ratio}", pressures, [_layer.strain(growth) for growth in found], "line"))
+        ours = [r for r in results if r["ratio"] == ratio]
+        curves.append((f"TL-SPH, ratio {ratio}", [r["pressure"] for r in ours], [r["strain"] for r in ours], "points"))
+        curves.append((f"published, ratio {ratio}", list(PRESSURES), list(PUBLISHED[ratio]), "points"))
+    yield "Critical strain under a fluid", "pressure / shear modulus of the film", curves
