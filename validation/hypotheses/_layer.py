@@ -5,14 +5,16 @@ The theory of docs/theory/stability.md, with the depth of the base, the rollers 
 surface; in thicknesses of the film before growth, and in shear moduli of the base.
 """
 
+import functools
 import math
 from dataclasses import dataclass
 
 LAYER_STEPS = 24
-BASE_STEPS = 96
+BASE_STEPS = 64
 LARGEST_GROWTH = 2.0
-GROWTH_STEP = 0.01
+GROWTH_STEP = 0.02
 PRECISION = 1e-6
+WAVE_STEP = 1.09
 
 
 @dataclass(frozen=True)
@@ -134,10 +136,29 @@ def onset(strip, wavelength):
     return unstable
 
 
-def critical(strip, wavelengths):
-    """(growth, wavelength) of the first of these waves to become unstable."""
-    found = [(onset(strip, wavelength), wavelength) for wavelength in wavelengths]
-    return min((entry for entry in found if entry[0]), default=(None, None))
+def least(points):
+    """(x, y) of the lowest of points, or of the parabola through it and its neighbours; sorted by x."""
+    lowest = min(range(len(points)), key=lambda k: points[k][1])
+    if not 0 < lowest < len(points) - 1:
+        return points[lowest]
+    (x0, y0), (x1, y1), (x2, y2) = points[lowest - 1:lowest + 2]
+    lower, upper = (y1 - y0) / (x1 - x0), (y2 - y1) / (x2 - x1)
+    curvature = (upper - lower) / (x2 - x0)
+    if curvature <= 0:
+        return points[lowest]
+    x = 0.5 * (x0 + x1) - 0.5 * lower / curvature
+    return x, y0 + (x - x0) * (lower + curvature * (x - x1))
+
+
+@functools.lru_cache(maxsize=None)
+def critical(strip, around):
+    """(growth, wavelength) of the wave that becomes unstable first, among those near a wavelength."""
+    waves = [around * WAVE_STEP**k for k in range(-4, 4)]
+    found = [(math.log(wave), growth) for wave, growth in ((wave, onset(strip, wave)) for wave in waves) if growth]
+    if not found:
+        return math.nan, math.nan
+    x, growth = least(found)
+    return growth, math.exp(x)
 
 
 def strain(growth):

@@ -4,6 +4,7 @@
 import math
 from pathlib import Path
 
+import _layer
 import _runs
 import _vtk
 
@@ -11,6 +12,7 @@ CASE = Path(__file__).resolve().parent / "film.toml"
 LAST_SHARE = 0.12  # of the film's thickness: amplitudes above it are not small
 FIRST_SHARE = 0.5  # of the largest growth that is used: below it everything bends, not the fold alone
 LEAST_POINTS = 6
+LEAST_CORRELATION = 0.985  # of the points with their line
 
 
 def top_row(references, displacements):
@@ -81,7 +83,7 @@ def critical_growth(past, mode, most_amplitude=LAST_SHARE):
         return None, 0.0
     intercept, slope, correlation = line(points)
     critical = -intercept / slope if slope else -1.0
-    if critical <= points[-1][0] * 0.9 or intercept * slope >= 0:
+    if critical <= points[-1][0] * 0.9 or intercept * slope >= 0 or abs(correlation) < LEAST_CORRELATION:
         return None, correlation
     return 1 + critical, abs(correlation)
 
@@ -91,18 +93,8 @@ def first_mode(modes):
     found = [mode for mode in modes if mode["growth"]]
     if not found:
         return {"growth": math.nan, "wavelength": math.nan}
-    least = min(found, key=lambda mode: mode["growth"])
-    by_number = {mode["n"]: mode for mode in found}
-    near = [by_number.get(least["n"] + shift) for shift in (-1, 0, 1)]
-    if not all(near):
-        return {"growth": least["growth"], "wavelength": least["wavelength"]}
-    (x0, y0), (x1, y1), (x2, y2) = ((math.log(mode["wavelength"]), mode["growth"]) for mode in near)
-    lower, upper = (y1 - y0) / (x1 - x0), (y2 - y1) / (x2 - x1)
-    curvature = (upper - lower) / (x2 - x0)
-    if curvature <= 0:
-        return {"growth": least["growth"], "wavelength": least["wavelength"]}
-    x = 0.5 * (x0 + x1) - 0.5 * lower / curvature
-    return {"growth": y0 + (x - x0) * (lower + curvature * (x - x1)), "wavelength": math.exp(x)}
+    x, growth = _layer.least(sorted((math.log(mode["wavelength"]), mode["growth"]) for mode in found))
+    return {"growth": growth, "wavelength": math.exp(x)}
 
 
 def heights(folder, alpha):

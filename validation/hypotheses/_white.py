@@ -5,14 +5,14 @@ import _runs
 import _strip
 
 RATES = (0.0, 0.4, 1.2, 4.0)  # G_s per growth time
-SEEDS = (1, 2)
+SEEDS = (1,)
 CORTEX_RATE = 0.8             # alpha_t: the film grows by this in the run
 RATIO = 3.0
 BULK = 10.0
-LENGTH, DEPTH = 32.0, 10.0
-CELLS = 3
-LOADING = 100.0
-MODES = 20
+LENGTH, DEPTH = 24.0, 7.0
+CELLS = 2
+LOADING = 50.0
+MODES = 16
 MOST_ERROR = 0.01             # of the energy balance
 MOST_SHORTER = 0.05           # of the wavelength, from no growth of the white matter to the fastest
 

@@ -19,7 +19,7 @@ import _pattern  # noqa: E402
 import _runs  # noqa: E402
 
 CASE = _runs.ROOT / "cases" / "fetal.toml"
-PARTICLES = 15000
+PARTICLES = 8000
 FIRST_WEEK, EARLY_WEEK, LAST_WEEK = 23, 28, 36
 LABELS = {"geometry.labels": "[2,3,5,7,9]", "tissue.labels.cortex": "[2]", "tissue.labels.white": "[3]",
           "tissue.labels.deep": "[7,9]", "tissue.labels.ventricle": "[5]"}

@@ -1,0 +1,94 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the terms of the hypotheses cost: one body, one thread, none of them, each of them, and all, in turns.
+
+Runs are made with $CORTICLE into $CORTICLE_OUT (none_1, all_1, none_2, ...), or read with --runs. Writes cost.md and
+cost.json beside itself. Times are those between the first and the last output of a run, the least of all rounds.
+"""
+
+import json
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE.parent)]
+
+import _runs  # noqa: E402
+
+CASES = _runs.ROOT / "cases" / "hypotheses"
+CASE = CASES / "differential_growth.toml"
+PARTICLES = 20000
+ROUNDS = 2
+END = 0.12
+MOST_FACTOR = 1.6
+
+TERMS = {
+    "skull and fluid": {"boundary.shape": "offset", "boundary.offset_mm": 0.7, "boundary.fluid": "conserved"},
+    "fibres": {"fibres.direction": "radial", "fibres.stiffness": 0.5, "fibres.active_stress": 0.2, "fibres.growth_rate": 2.0},
+    "tracts": {"tracts.file": CASES / "tracts.csv", "tracts.stiffness": 5.0, "tracts.rest": 0.6, "tracts.growth_rate": 1.0,
+               "tracts.reach_mm": 2.5},
+    "protomap": {"map.protomap_amplitude": 0.3, "map.protomap_wavelength_mm": 18.0},
+    "growth by stress": {"stress_growth.rate": 3.0},
+    "relaxation": {"relaxation.share": 0.5, "relaxation.time": 0.1},
+}
+VARIANTS = {"none": {}} | TERMS | {"all": {key: value for term in TERMS.values() for key, value in term.items()}}
+
+
+def folder_of(base, name, number):
+    return base / f"{name.replace(' ', '_')}_{number}"
+
+
+def make_runs(arguments, base):
+    shared = {"geometry.particles": arguments.particles, "time.end": END, "output.count": 1, "output.pictures": "off",
+              "output.report": "off"}
+    for number in range(1, ROUNDS + 1):
+        for name, settings in VARIANTS.items():
+            words = [f"{key}={value}" for key, value in (shared | settings).items()]
+            _runs.make_run(arguments, CASE, folder_of(base, name, number), words)
+
+
+def seconds(folder):
+    """Between the first and the last output."""
+    outputs = [time for time, text in _runs.log_times(folder) if text.startswith("t = ")]
+    return (outputs[-1] - outputs[0]).total_seconds()
+
+
+def describe(base, name):
+    folders = [folder_of(base, name, number) for number in range(1, ROUNDS + 1)]
+    complete = [folder for folder in folders if _runs.is_complete(folder)]
+    if not complete:
+        return None
+    summary = _runs.read_summary(complete[0])
+    times = [seconds(folder) for folder in complete]
+    return {"name": name, "particles": summary["particles"], "threads": summary["threads"], "steps": summary["steps"],
+            "seconds": times, "ms_per_step": 1000 * min(times) / summary["steps"]}
+
+
+def main():
+    def add(parser):
+        parser.add_argument("--particles", type=int, default=PARTICLES)
+
+    arguments = _runs.parse_arguments(__doc__, [], add)
+    base = Path(arguments.runs or arguments.out or _runs.ROOT / "runs/validation/hypotheses_cost")
+    if not arguments.runs:
+        make_runs(arguments, base)
+    results = [result for result in (describe(base, name) for name in VARIANTS) if result]
+    if not results or results[0]["name"] != "none":
+        sys.exit("no complete run")
+    none = results[0]
+    columns = [("terms", lambda r: r["name"], ""), ("steps", lambda r: r["steps"], ",d"),
+               ("ms per step", lambda r: r["ms_per_step"], ".2f"),
+               ("over none, per step", lambda r: r["ms_per_step"] / none["ms_per_step"], ".2f"),
+               ("over none, whole run", lambda r: min(r["seconds"]) / min(none["seconds"]), ".2f")]
+    problems = [f"{r['name']}: a step takes {r['ms_per_step'] / none['ms_per_step']:.2f} times as long, expected at most {MOST_FACTOR}"
+                for r in results if r["ms_per_step"] > MOST_FACTOR * none["ms_per_step"]]
+    text = (f"# Cost of the terms\n\nWritten by `cost.py`; see [README.md](README.md). {none['particles']:,} particles, "
+            f"{none['threads']} thread(s), to t = {END}.\n\n{_runs.table(columns, results)}\n## What differs\n\n"
+            + ("".join(f"- DIFFERS: {problem}\n" for problem in problems) or "Nothing.\n"))
+    (HERE / "cost.md").write_text(text, encoding="utf-8")
+    (HERE / "cost.json").write_text(json.dumps(results, indent=2) + "\n", encoding="utf-8")
+    print(text)
+    _runs.finish(problems)
+
+
+main()
