@@ -27,7 +27,7 @@ LOADING = 100.0
 MODES = 8
 SEGMENTS = 12
 REACH = 0.5                   # thicknesses: 1 mm
-VISIBLE = 0.05                # thicknesses: half of the height from valley to crown at which the film counts as folded
+VISIBLE = 0.15                # thicknesses: half of the height from valley to crown at which the film counts as folded
 MOST_OFF = 0.10
 
 
@@ -92,8 +92,8 @@ def describe(run, folder):
     past = _strip.history(folder, run["alpha"], MODES)
     modes = []
     for n in range(2, MODES + 1):
-        critical, correlation = _strip.critical_growth(past, n)
-        modes.append({"n": n, "wavelength": 2 * LENGTH / n, "growth": critical, "correlation": correlation})
+        critical, explained = _strip.critical_growth(past, n)
+        modes.append({"n": n, "wavelength": 2 * LENGTH / n, "growth": critical, "explained": explained})
     first = _strip.first_mode(modes)
     summary = _runs.read_summary(folder)
     published = dict(zip(STIFFNESSES, PUBLISHED[run["ratio"]])).get(run["stiffness"])

@@ -9,10 +9,11 @@ import _runs
 import _vtk
 
 CASE = Path(__file__).resolve().parent / "film.toml"
-LAST_SHARE = 0.12  # of the film's thickness: amplitudes above it are not small
-FIRST_SHARE = 0.5  # of the largest growth that is used: below it everything bends, not the fold alone
+LAST_SHARE = 0.06  # of the film's thickness: amplitudes above it are not small
+FIRST_SHARE = 0.4  # of the largest growth that is used: below it everything bends, not the fold alone
 LEAST_POINTS = 6
-LEAST_CORRELATION = 0.985  # of the points with their line
+LEAST_EXPLAINED = 0.997  # of the variation of A / e
+LEAST_GROWN = 0.01      # of the amplitude by that part at the end
 
 
 def top_row(references, displacements):
@@ -49,16 +50,14 @@ def history(folder, alpha, most):
     return result
 
 
-def line(points):
-    """Intercept, slope and correlation of a least-squares line."""
-    count = len(points)
-    mean_x = sum(x for x, _ in points) / count
-    mean_y = sum(y for _, y in points) / count
-    xx = sum((x - mean_x) ** 2 for x, _ in points)
-    xy = sum((x - mean_x) * (y - mean_y) for x, y in points)
-    yy = sum((y - mean_y) ** 2 for _, y in points)
-    slope = xy / xx
-    return mean_y - slope * mean_x, slope, xy / math.sqrt(xx * yy) if yy > 0 else 0.0
+def parts(points, critical):
+    """Least squares of A = a e / (1 - e/c) + b e: (a, b, sum of squares left over), each point by its size."""
+    rows = [(1 / (1 - e / critical), 1.0, a / e) for e, a in points]
+    pp, pq, qq = (sum(row[i] * row[j] for row in rows) for i, j in ((0, 0), (0, 1), (1, 1)))
+    pr, qr = (sum(row[i] * row[2] for row in rows) for i in (0, 1))
+    determinant = pp * qq - pq * pq
+    grows, follows = (pr * qq - qr * pq) / determinant, (pp * qr - pq * pr) / determinant
+    return grows, follows, sum((grows * p + follows * q - r) ** 2 for p, q, r in rows)
 
 
 def small_part(past, mode, most_amplitude):
@@ -74,18 +73,23 @@ def small_part(past, mode, most_amplitude):
 
 
 def critical_growth(past, mode, most_amplitude=LAST_SHARE):
-    """Southwell's plot: with e = g - 1, e / A falls linearly in e and is 0 at the critical growth.
+    """Growth at which a wave needs no force, and the share of the variation of A / e that the fit explains.
 
-    (growth, correlation), or (None, ...) where the mode does not grow that way.
+    With e = g - 1 a small wave is A = a e / (1 - e/c) + b e: what the imperfection becomes, more and more of it as growth nears
+    1 + c (Southwell), and what bends in proportion to growth. (None, ...) where a wave does not grow that way.
     """
-    points = [(e, e / a) for e, a in small_part(past, mode, most_amplitude) if a]
+    points = small_part(past, mode, most_amplitude)
     if len(points) < LEAST_POINTS:
         return None, 0.0
-    intercept, slope, correlation = line(points)
-    critical = -intercept / slope if slope else -1.0
-    if critical <= points[-1][0] * 0.9 or intercept * slope >= 0 or abs(correlation) < LEAST_CORRELATION:
-        return None, correlation
-    return 1 + critical, abs(correlation)
+    last = points[-1][0]
+    tried = [last * (1.005 + 0.005 * k) for k in range(200)]
+    critical = min(tried, key=lambda c: parts(points, c)[2])
+    mean = sum(a / e for e, a in points) / len(points)
+    explained = 1 - parts(points, critical)[2] / (sum((a / e - mean) ** 2 for e, a in points) or 1.0)
+    grows = abs(parts(points, critical)[0]) * last / (1 - last / critical)
+    if critical in (tried[0], tried[-1]) or explained < LEAST_EXPLAINED or grows < LEAST_GROWN:
+        return None, explained
+    return 1 + critical, explained
 
 
 def first_mode(modes):

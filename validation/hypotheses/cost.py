@@ -2,11 +2,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the terms of the hypotheses cost: one body, one thread, none of them, each of them, and all, in turns.
 
-Runs are made with $CORTICLE into $CORTICLE_OUT (none_1, all_1, none_2, ...), or read with --runs. Writes cost.md and
-cost.json beside itself. Times are those between the first and the last output of a run, the least of all rounds.
+Runs are made with $CORTICLE into $CORTICLE_OUT (none_1_0.02, none_1_0.1, ...), or read with --runs. Writes cost.md and
+cost.json beside itself. Times are those on processors, of a run to the later end less one to the earlier, the least of all
+rounds: so preparation counts for nothing, and other work on the machine for little.
 """
 
 import json
+import resource
 import sys
 from pathlib import Path
 
@@ -19,7 +21,7 @@ CASES = _runs.ROOT / "cases" / "hypotheses"
 CASE = CASES / "differential_growth.toml"
 PARTICLES = 20000
 ROUNDS = 2
-END = 0.12
+ENDS = (0.02, 0.1)
 MOST_FACTOR = 1.6
 
 TERMS = {
@@ -34,45 +36,52 @@ TERMS = {
 VARIANTS = {"none": {}} | TERMS | {"all": {key: value for term in TERMS.values() for key, value in term.items()}}
 
 
-def folder_of(base, name, number):
-    return base / f"{name.replace(' ', '_')}_{number}"
+def folder_of(base, name, number, end):
+    return base / f"{name.replace(' ', '_')}_{number}_{end:g}"
+
+
+def cpu_seconds():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 def make_runs(arguments, base):
-    shared = {"geometry.particles": arguments.particles, "time.end": END, "output.count": 1, "output.pictures": "off",
-              "output.report": "off"}
-    for number in range(1, ROUNDS + 1):
+    """Every run to both ends, and the time on processors that each took, in cpu.json."""
+    shared = {"geometry.particles": arguments.particles, "output.count": 1, "output.pictures": "off", "output.report": "off"}
+    taken = {}
+    base.mkdir(parents=True, exist_ok=True)
+    for number in range(1, arguments.rounds + 1):
         for name, settings in VARIANTS.items():
-            words = [f"{key}={value}" for key, value in (shared | settings).items()]
-            _runs.make_run(arguments, CASE, folder_of(base, name, number), words)
+            for end in ENDS:
+                words = [f"{key}={value}" for key, value in (shared | settings | {"time.end": end}).items()]
+                start = cpu_seconds()
+                _runs.make_run(arguments, CASE, folder_of(base, name, number, end), words)
+                taken.setdefault(name, []).append(cpu_seconds() - start)
+    (base / "cpu.json").write_text(json.dumps(taken, indent=2) + "\n", encoding="utf-8")
 
 
-def seconds(folder):
-    """Between the first and the last output."""
-    outputs = [time for time, text in _runs.log_times(folder) if text.startswith("t = ")]
-    return (outputs[-1] - outputs[0]).total_seconds()
-
-
-def describe(base, name):
-    folders = [folder_of(base, name, number) for number in range(1, ROUNDS + 1)]
-    complete = [folder for folder in folders if _runs.is_complete(folder)]
-    if not complete:
+def describe(base, name, taken):
+    folders = [folder_of(base, name, 1, end) for end in ENDS]
+    if name not in taken or not all(map(_runs.is_complete, folders)):
         return None
-    summary = _runs.read_summary(complete[0])
-    times = [seconds(folder) for folder in complete]
-    return {"name": name, "particles": summary["particles"], "threads": summary["threads"], "steps": summary["steps"],
-            "seconds": times, "ms_per_step": 1000 * min(times) / summary["steps"]}
+    few, many = (_runs.read_summary(folder) for folder in folders)
+    seconds = [later - earlier for earlier, later in zip(taken[name][::2], taken[name][1::2])]
+    steps = many["steps"] - few["steps"]
+    return {"name": name, "particles": many["particles"], "threads": many["threads"], "steps": steps, "seconds": seconds,
+            "ms_per_step": 1000 * min(seconds) / steps}
 
 
 def main():
     def add(parser):
         parser.add_argument("--particles", type=int, default=PARTICLES)
+        parser.add_argument("--rounds", type=int, default=ROUNDS)
 
     arguments = _runs.parse_arguments(__doc__, [], add)
     base = Path(arguments.runs or arguments.out or _runs.ROOT / "runs/validation/hypotheses_cost")
     if not arguments.runs:
         make_runs(arguments, base)
-    results = [result for result in (describe(base, name) for name in VARIANTS) if result]
+    taken = json.loads((base / "cpu.json").read_text(encoding="utf-8"))
+    results = [result for result in (describe(base, name, taken) for name in VARIANTS) if result]
     if not results or results[0]["name"] != "none":
         sys.exit("no complete run")
     none = results[0]
@@ -83,7 +92,7 @@ def main():
     problems = [f"{r['name']}: a step takes {r['ms_per_step'] / none['ms_per_step']:.2f} times as long, expected at most {MOST_FACTOR}"
                 for r in results if r["ms_per_step"] > MOST_FACTOR * none["ms_per_step"]]
     text = (f"# Cost of the terms\n\nWritten by `cost.py`; see [README.md](README.md). {none['particles']:,} particles, "
-            f"{none['threads']} thread(s), to t = {END}.\n\n{_runs.table(columns, results)}\n## What differs\n\n"
+            f"{none['threads']} thread(s), from t = {ENDS[0]} to {ENDS[1]}.\n\n{_runs.table(columns, results)}\n## What differs\n\n"
             + ("".join(f"- DIFFERS: {problem}\n" for problem in problems) or "Nothing.\n"))
     (HERE / "cost.md").write_text(text, encoding="utf-8")
     (HERE / "cost.json").write_text(json.dumps(results, indent=2) + "\n", encoding="utf-8")
