@@ -150,6 +150,18 @@ def least(points):
     return x, y0 + (x - x0) * (lower + curvature * (x - x1))
 
 
+def parabola(points):
+    """(c, b, a) of the c + b x + a x² closest to at least three points."""
+    sums = [sum(x**power for x, _ in points) for power in range(5)]
+    rows = [[sums[i + j] for j in range(3)] + [sum(y * x**i for x, y in points)] for i in range(3)]
+    for k in range(3):
+        for r in range(3):
+            if r != k:
+                factor = rows[r][k] / rows[k][k]
+                rows[r] = [a - factor * b for a, b in zip(rows[r], rows[k])]
+    return tuple(rows[k][3] / rows[k][k] for k in range(3))
+
+
 @functools.lru_cache(maxsize=None)
 def critical(strip, around):
     """(growth, wavelength) of the wave that becomes unstable first, among those near a wavelength."""

@@ -78,17 +78,9 @@ def plan(base, ratio, stiffness):
     return run, [f"{key}={value}" for key, value in settings.items()]
 
 
-def visible_growth(past, least):
-    """Growth at which half of the range of the surface passes `least`, linear between outputs; None: never."""
-    for (growth, height), (next_growth, next_height) in zip(past, past[1:]):
-        if height < least <= next_height:
-            return growth + (next_growth - growth) * (least - height) / (next_height - height)
-    return None
-
-
 def describe(run, folder):
     heights = _strip.heights(folder, run["alpha"])
-    growth = visible_growth(heights, VISIBLE)
+    growth = _strip.visible_growth(heights, VISIBLE)
     past = _strip.history(folder, run["alpha"], MODES)
     modes = []
     for n in range(2, MODES + 1):

@@ -11,6 +11,7 @@ import _vtk
 CASE = Path(__file__).resolve().parent / "film.toml"
 LAST_SHARE = 0.06  # of the film's thickness: amplitudes above it are not small
 FIRST_SHARE = 0.4  # of the largest growth that is used: below it everything bends, not the fold alone
+NEAR = 1.6         # times the wavelength of the first wave, or that part of it: those that the parabola is drawn through
 LEAST_POINTS = 6
 LEAST_EXPLAINED = 0.997  # of the variation of A / e
 LEAST_GROWN = 0.01      # of the amplitude by that part at the end
@@ -93,12 +94,21 @@ def critical_growth(past, mode, most_amplitude=LAST_SHARE):
 
 
 def first_mode(modes):
-    """The first to become unstable; growth and wavelength from a parabola through it and its neighbours."""
+    """The first to become unstable: growth and wavelength of the lowest point of the parabola closest to the waves near it."""
     found = [mode for mode in modes if mode["growth"]]
     if not found:
         return {"growth": math.nan, "wavelength": math.nan}
-    x, growth = _layer.least(sorted((math.log(mode["wavelength"]), mode["growth"]) for mode in found))
-    return {"growth": growth, "wavelength": math.exp(x)}
+    lowest = min(found, key=lambda mode: mode["growth"])
+    middle = math.log(lowest["wavelength"])
+    near = [(math.log(mode["wavelength"]) - middle, mode["growth"]) for mode in found]
+    near = [(x, growth) for x, growth in near if abs(x) < math.log(NEAR)]
+    if len(near) < 3:
+        return {"growth": lowest["growth"], "wavelength": lowest["wavelength"]}
+    height, slope, bend = _layer.parabola(near)
+    x = -0.5 * slope / bend if bend > 0 else 0.0
+    if abs(x) > math.log(NEAR):
+        return {"growth": lowest["growth"], "wavelength": lowest["wavelength"]}
+    return {"growth": height + x * (slope + bend * x), "wavelength": math.exp(middle + x)}
 
 
 def heights(folder, alpha):
@@ -115,3 +125,11 @@ def mean_number(folder, alpha, most):
     """Half-waves in the length at the end: the mean over the modes, by their power."""
     power = [value**2 for value in history(folder, alpha, most)[-1][1]]
     return sum(n * share for n, share in enumerate(power, 1)) / sum(power)
+
+
+def visible_growth(past, least):
+    """Growth at which half of the range of the surface passes `least`, linear between outputs; None: never."""
+    for (growth, height), (next_growth, next_height) in zip(past, past[1:]):
+        if height < least <= next_height:
+            return growth + (next_growth - growth) * (least - height) / (next_height - height)
+    return None

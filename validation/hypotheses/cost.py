@@ -19,9 +19,9 @@ import _runs  # noqa: E402
 
 CASES = _runs.ROOT / "cases" / "hypotheses"
 CASE = CASES / "differential_growth.toml"
-PARTICLES = 20000
-ROUNDS = 2
-ENDS = (0.02, 0.1)
+PARTICLES = 10000
+ROUNDS = 1
+ENDS = (0.01, 0.06)
 MOST_FACTOR = 1.6
 
 TERMS = {

@@ -4,7 +4,7 @@
 
 Tissue labels of 23 weeks (CHN atlas: 2 cortex, 3 white matter, 5 ventricles, 7 and 9 deep) are given by --labels-file or
 $CORTICLE_BRAIN_LABELS; without them there is nothing to do. Runs are made with $CORTICLE into $CORTICLE_OUT, or read with
---runs. Writes features.md and features.json beside itself.
+--runs. Writes features.md and features.json beside itself, or others by --results-name.
 """
 
 import json
@@ -110,16 +110,16 @@ def compare(described):
 
 def spread(results, key):
     values = [results[name][key] for name in SEEDS if name in results and key in results[name]]
-    return (min(values), max(values)) if values else (0.0, 0.0)
+    return (min(values), max(values)) if len(values) > 1 else None
 
 
 def shown(results, name, key, form):
-    """A number, bold where it lies further from the seeds' range than this range is wide."""
+    """A number, bold where it lies further from the range of the seeds than this is wide, if there is a range."""
     value = results[name].get(key)
     if value is None:
         return "-"
-    low, high = spread(results, key)
-    far = value < low - (high - low) or value > high + (high - low)
+    seeds = spread(results, key)
+    far = seeds and not 2 * seeds[0] - seeds[1] <= value <= 2 * seeds[1] - seeds[0]
     text = format(value, form)
     return f"**{text}**" if far and name not in SEEDS else text
 
@@ -150,6 +150,7 @@ def main():
     def add(parser):
         parser.add_argument("--labels-file", type=Path, default=os.environ.get("CORTICLE_BRAIN_LABELS"))
         parser.add_argument("--particles", type=int, default=PARTICLES)
+        parser.add_argument("--results-name", default="features", help="of the files that are written")
         parser.add_argument("--variants", nargs="+", choices=VARIANTS, default=list(VARIANTS), help="runs to make")
 
     arguments = _runs.parse_arguments(__doc__, [], add)
@@ -169,8 +170,8 @@ def main():
             f"At week {LAST_WEEK}, {arguments.particles:,} particles. Bold: further from the range of the three seeds than this "
             "is wide.\n", table(results), "## Control\n", control_table(results), "## What differs\n",
             "".join(f"- DIFFERS: {problem}\n" for problem in found) or "Nothing.\n"]
-    (HERE / "features.md").write_text("\n".join(text), encoding="utf-8")
-    (HERE / "features.json").write_text(json.dumps(results, indent=2) + "\n", encoding="utf-8")
+    (HERE / f"{arguments.results_name}.md").write_text("\n".join(text), encoding="utf-8")
+    (HERE / f"{arguments.results_name}.json").write_text(json.dumps(results, indent=2) + "\n", encoding="utf-8")
     print("\n".join(text))
     _runs.finish(found)
 
