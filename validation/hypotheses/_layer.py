@@ -19,13 +19,17 @@ WAVE_STEP = 1.09
 
 @dataclass(frozen=True)
 class Strip:
-    """What the onset depends on. bulk: of film and base, in their own shear moduli; isotropic: growth along the normal, too."""
+    """What the onset depends on. bulk: of film and base, in their own shear moduli; isotropic: growth along the normal, too.
+
+    is_fluid: the pressure acts on the area that there is; else its force stays that on the area before, along the normal.
+    """
 
     ratio: float
     bulk: float
     depth: float = 8.0
     pressure: float = 0.0
     isotropic: bool = False
+    is_fluid: bool = True
 
 
 @dataclass(frozen=True)
@@ -113,7 +117,7 @@ def surface_determinant(strip, growth, wavelength):
         size = max(map(abs, wave))
         wave = tuple(part / size for part in wave)
         u, w, shear, normal = carried(film, k, wave, thickness, LAYER_STEPS)
-        ends.append((shear + strip.pressure * k * w, normal + strip.pressure * k * u))
+        ends.append((shear + strip.pressure * k * w, normal + strip.pressure * k * u * strip.is_fluid))
     (first_shear, first_normal), (second_shear, second_normal) = ends
     return first_shear * second_normal - first_normal * second_shear
 

@@ -99,6 +99,19 @@ def changes_table(results):
     return _runs.table(columns, list(changes(results)))
 
 
+def theory_table(_):
+    """Critical strain by linear theory on a deep base, of a fluid and of a load that keeps its force."""
+    rows = []
+    for ratio in PUBLISHED:
+        for pressure in (0.0, 4.0):
+            strains = [_layer.strain(_layer.critical(_layer.Strip(ratio, BULK, 14.0, pressure * ratio, False, is_fluid), WAVES[ratio])[0])
+                       for is_fluid in (True, False)]
+            rows.append({"ratio": ratio, "pressure": pressure, "fluid": strains[0], "kept": strains[1]})
+    columns = [("ratio", lambda r: r["ratio"], "d"), ("pressure / film modulus", lambda r: r["pressure"], "g"),
+               ("fluid", lambda r: r["fluid"], ".4f"), ("force kept", lambda r: r["kept"], ".4f")]
+    return _runs.table(columns, rows)
+
+
 def differences(results):
     for result in results:
         if not result["strain"]:

@@ -22,7 +22,8 @@ PARTS = {
     "film": (_film, [("A thin film on a soft base", "table"), ("Each of its folds", "modes_table")]),
     "springs": (_springs, [("A tract of springs", "table")]),
     "pressure": (_pressure, [("Under the pressure of a fluid", "table"),
-                             ("Change of the strain by the highest pressure", "changes_table")]),
+                             ("Change of the strain by the pressure", "changes_table"),
+                             ("Linear theory under a pressure", "theory_table")]),
     "white": (_white, [("White matter that grows as it is stretched, means over seeds", "table")]),
 }
 
