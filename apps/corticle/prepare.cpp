@@ -14,12 +14,9 @@ int prepare_command(PrepareArguments arguments)
 {
     study::exit_when_interrupted();
     study::PrepareRequest& request = arguments.request;
+    request.out = chosen_folder(request.out, "prepared", arguments.case_file);
     request.options = config::read_case(arguments.case_file, arguments.overrides);
     config::identify_inputs(request.options);
-    if (request.out.empty())
-    {
-        request.out = std::filesystem::path("prepared") / arguments.case_file.stem();
-    }
     const std::string report = study::prepare(request);
     if (!arguments.quiet)
     {

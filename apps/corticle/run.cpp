@@ -5,6 +5,7 @@
 #include "corticle/base/error.hpp"
 #include "corticle/config/case_file.hpp"
 #include "corticle/config/case_inputs.hpp"
+#include "corticle/config/case_text.hpp"
 #include "corticle/report/run_ending.hpp"
 #include "corticle/study/interruption.hpp"
 #include "corticle/study/run_folder.hpp"
@@ -22,12 +23,14 @@ namespace
 int run_on(const Communicator& ranks, RunArguments& arguments)
 {
     record::RunRequest& request = arguments.request;
+    request.out = chosen_folder(request.out, "runs", arguments.case_file);
+    if (config::is_standard_input(arguments.case_file) && ranks.size() > 1)
+    {
+        throw InputError(fmt::format("a case on the standard input reaches one process only: got {}, expected a file",
+                                     ranks.size()));
+    }
     request.options = config::read_case(arguments.case_file, arguments.overrides);
     config::identify_inputs(request.options);
-    if (request.out.empty())
-    {
-        request.out = std::filesystem::path("runs") / arguments.case_file.stem();
-    }
     std::error_code error;
     if (std::filesystem::is_directory(request.body, error))
     {
@@ -74,6 +77,16 @@ int end_together(const Communicator& ranks, const std::exception& error)
 }
 
 } // namespace
+
+std::filesystem::path chosen_folder(const std::filesystem::path& out, const char* parent,
+                                    const std::filesystem::path& case_file)
+{
+    if (out.empty() && config::is_standard_input(case_file))
+    {
+        throw InputError("--out is missing: got a case on the standard input, which has no name, expected a folder");
+    }
+    return out.empty() ? std::filesystem::path(parent) / case_file.stem() : out;
+}
 
 int run_command(RunArguments arguments)
 {

@@ -21,10 +21,10 @@ std::vector<NiftiSample> images()
         {
             result.push_back(plain_sample(wide, swapped));
             result.push_back(plain_sample(wide, swapped));
-            result.back().data<float>(formats::NiftiType::float32, sample_labels());
+            result.back().data<float>(formats::NumberType::float32, sample_labels());
             result.back().code(result.back().layout().qform_code, 1);
             result.push_back(plain_sample(wide, swapped));
-            result.back().dimensions({2, 3, 2, 2}).data<std::int64_t>(formats::NiftiType::int64, sample_labels());
+            result.back().dimensions({2, 3, 2, 2}).data<std::int64_t>(formats::NumberType::int64, sample_labels());
             result.back().sform({Mat3::diagonal(-1, 1, 2), {1, 2, 3}});
         }
     }

@@ -23,7 +23,7 @@ namespace
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using enum formats::NiftiType;
+using enum formats::NumberType;
 
 imaging::LabelVolume parse(const NiftiSample& sample, std::optional<std::int64_t> volume = {})
 {
