@@ -59,7 +59,9 @@ void add_run(CLI::App& app, Verb& chosen)
 {
     auto arguments = std::make_shared<RunArguments>();
     CLI::App* verb = app.add_subcommand("run", "Run a case");
-    verb->add_option("case", arguments->case_file, "Case to run; - for the standard input")->type_name("CASE.toml")->required();
+    verb->add_option("case", arguments->case_file, "Case to run; - for the standard input")
+        ->type_name("CASE.toml")
+        ->required();
     verb->add_option("--out", arguments->request.out, "Run folder (default: runs/<name of the case>)")
         ->type_name("DIR");
     verb->add_option("--body", arguments->request.body,
@@ -167,7 +169,9 @@ void add_prepare(CLI::App& app, Verb& chosen)
     auto arguments = std::make_shared<PrepareArguments>();
     CLI::App* verb =
         app.add_subcommand("prepare", "Make the body of a case, and nothing else: report, files, pictures");
-    verb->add_option("case", arguments->case_file, "Case to prepare; - for the standard input")->type_name("CASE.toml")->required();
+    verb->add_option("case", arguments->case_file, "Case to prepare; - for the standard input")
+        ->type_name("CASE.toml")
+        ->required();
     verb->add_option("--out", arguments->request.out, "Folder for the body (default: prepared/<name of the case>)")
         ->type_name("DIR");
     add_overrides(*verb, arguments->overrides);
@@ -195,7 +199,9 @@ void add_check(CLI::App& app, Verb& chosen)
 {
     auto arguments = std::make_shared<CheckArguments>();
     CLI::App* verb = app.add_subcommand("check", "Print the resolved case and what a run of it will take");
-    verb->add_option("case", arguments->case_file, "Case to check; - for the standard input")->type_name("CASE.toml")->required();
+    verb->add_option("case", arguments->case_file, "Case to check; - for the standard input")
+        ->type_name("CASE.toml")
+        ->required();
     add_overrides(*verb, arguments->overrides);
     add_threads(*verb, arguments->threads);
     verb->callback([arguments, &chosen] { chosen = [arguments] { return check_command(*arguments); }; });

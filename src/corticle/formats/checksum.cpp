@@ -87,7 +87,7 @@ void require_checksum(std::string_view bytes, const std::string& name)
     if (line.starts_with(line_start) && line.ends_with(line_end) && line != checksum_line(bytes.substr(0, before)))
     {
         fail_reading(name, "damaged, or changed by hand", "bytes that do not match the checksum in its last line",
-                     "a file as it was written");
+                     "a file as it was written (without its last line any content will do)");
     }
 }
 

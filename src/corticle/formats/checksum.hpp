@@ -9,8 +9,8 @@
 namespace corticle::formats
 {
 
-/// 64 bits over all bytes, eight at a time: FNV-1a on words with a final avalanche. Tells what was damaged, not what was
-/// forged.
+/// 64 bits over all bytes, eight at a time: FNV-1a on words with a final avalanche. Tells what was damaged, not what
+/// was forged.
 std::uint64_t checksum(std::string_view bytes);
 
 /// A comment of XML with the checksum of all that stands before it, for the end of files of this program.

@@ -2,9 +2,9 @@
 #include "corticle/formats/companion_files.hpp"
 
 #include "corticle/base/error.hpp"
+#include "corticle/formats/format_error.hpp"
 #include "corticle/formats/plain_file.hpp"
 #include "corticle/formats/sha256.hpp"
-#include "corticle/formats/volumes/volume_numbers.hpp"
 #include "corticle/formats/xml_tag.hpp"
 
 #include <algorithm>
@@ -34,14 +34,40 @@ std::vector<std::filesystem::path> external_files(const std::filesystem::path& f
 
 } // namespace
 
+std::filesystem::path other_of_pair(const std::filesystem::path& file)
+{
+    const bool is_header = plain_extension(file) == "hdr";
+    if (!is_header && plain_extension(file) != "img")
+    {
+        return {};
+    }
+    std::filesystem::path stem = file;
+    stem = lower_case_extension(stem) == "gz" ? stem.replace_extension() : stem;
+    for (const char* ending : {is_header ? ".img" : ".hdr", is_header ? ".IMG" : ".HDR"})
+    {
+        for (const char* packed : {"", ".gz", ".GZ"})
+        {
+            std::filesystem::path other = stem;
+            other.replace_extension(ending);
+            other += packed;
+            std::error_code error;
+            if (std::filesystem::exists(other, error))
+            {
+                return other;
+            }
+        }
+    }
+    return {};
+}
+
 std::vector<std::filesystem::path> companion_files(const std::filesystem::path& file)
 {
     try
     {
         const std::filesystem::path other = other_of_pair(file);
-        return !other.empty()                      ? std::vector{other}
+        return !other.empty()                   ? std::vector{other}
                : plain_extension(file) == "gii" ? external_files(file)
-                                                   : std::vector<std::filesystem::path>{};
+                                                : std::vector<std::filesystem::path>{};
     }
     catch (const InputError&)
     {

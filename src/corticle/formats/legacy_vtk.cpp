@@ -148,8 +148,7 @@ class Parser
     {
         const std::string_view word = take_word(rest_);
         std::int64_t count = 0;
-        if (!to_number(word, count) || count < 0 ||
-            static_cast<std::uint64_t>(count) > rest_.size() / numbers_each + 1)
+        if (!to_number(word, count) || count < 0 || static_cast<std::uint64_t>(count) > rest_.size() / numbers_each + 1)
         {
             fail(fmt::format("bad {}", what), word.empty() ? "the end of the file" : word,
                  fmt::format("a number from 0 on that the {} bytes left can hold", rest_.size()));

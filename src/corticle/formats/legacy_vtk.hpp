@@ -30,10 +30,10 @@ struct LegacyVtkCells
 struct LegacyVtkFile
 {
     std::vector<Vec3> points;
-    LegacyVtkCells polygons, strips;  ///< of POLYDATA
-    LegacyVtkCells cells;             ///< of UNSTRUCTURED_GRID
-    std::vector<std::int64_t> types;  ///< VTK's numbers for its cells, one each
-    bool is_grid = false;             ///< UNSTRUCTURED_GRID
+    LegacyVtkCells polygons, strips; ///< of POLYDATA
+    LegacyVtkCells cells;            ///< of UNSTRUCTURED_GRID
+    std::vector<std::int64_t> types; ///< VTK's numbers for its cells, one each
+    bool is_grid = false;            ///< UNSTRUCTURED_GRID
 };
 
 /// Reads POLYDATA or UNSTRUCTURED_GRID, ASCII or BINARY, of versions 1 to 5 (VTK File Formats, "simple legacy

@@ -26,7 +26,8 @@ std::string_view unit_hint(const GeometryOptions& geometry)
     {
         return "";
     }
-    return formats::is_volume(geometry.file) ? "; are the voxel sizes of the image right?" : "; is geometry.unit right?";
+    return formats::is_volume(geometry.file) ? "; are the voxel sizes of the image right?"
+                                             : "; is geometry.unit right?";
 }
 
 void require_white_matter(const PreparationOptions& options, const material::TissueFields& tissue)

@@ -43,8 +43,7 @@ double rough_spacing(const GeometryOptions& options, const imaging::LabelVolume&
 void take_labels(const GeometryOptions& options, int coarsening, BodySource& source)
 {
     source.kind = "labels";
-    const imaging::LabelVolume image =
-        read_label_image(options.file, options.mask, options.coordinates, source.notes);
+    const imaging::LabelVolume image = read_label_image(options.file, options.mask, options.coordinates, source.notes);
     imaging::ImagedSurface imaged = label_surface(image, settled_mask(options, image, coarsening), options.file);
     source.surface = std::move(imaged.surface);
     std::ranges::copy(imaging::describe(imaged.report), std::back_inserter(source.notes));

@@ -2,7 +2,7 @@
 #include "corticle/prepare/fibres.hpp"
 
 #include "corticle/base/error.hpp"
-#include "corticle/formats/volumes/vectors.hpp"
+#include "corticle/formats/volumes/vector_volume.hpp"
 
 #include <fmt/format.h>
 

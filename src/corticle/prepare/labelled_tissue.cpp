@@ -73,8 +73,7 @@ imaging::TissueReader read_tissues(const PreparationOptions& options, std::vecto
     const GeometryOptions& geometry = options.geometry;
     try
     {
-        imaging::TissueReader reader(read_body_labels(geometry),
-                                     options.labels, geometry.mask.labels, smoothing_mm);
+        imaging::TissueReader reader(read_body_labels(geometry), options.labels, geometry.mask.labels, smoothing_mm);
         if (!reader.note.empty())
         {
             notes.push_back(reader.note);

@@ -150,9 +150,10 @@ std::vector<double> MapSampler::at_vertices(const MapFile& map) const
 {
     if (surface_.vertices.empty())
     {
-        throw InputError(fmt::format("{} {}: gives numbers at the vertices of a surface, but the body is not made from "
-                                     "a surface file; expected a label volume (NIfTI, MGH), or geometry.file = a surface",
-                                     map.key, map.file));
+        throw InputError(
+            fmt::format("{} {}: gives numbers at the vertices of a surface, but the body is not made from "
+                        "a surface file; expected a label volume (NIfTI, MGH), or geometry.file = a surface",
+                        map.key, map.file));
     }
     return formats::read_surface_map(map.file, map.array, std::ssize(surface_.vertices));
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/formats/volumes/volume_numbers.hpp"
 
+#include "corticle/formats/companion_files.hpp"
 #include "corticle/formats/format_error.hpp"
+#include "corticle/formats/plain_file.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -16,19 +18,6 @@ namespace
 {
 
 constexpr std::size_t piece_bytes = std::size_t{1} << 20;
-
-/// Ending without a .gz behind it.
-std::string volume_ending(const std::filesystem::path& file)
-{
-    const std::string last = lower_case_extension(file);
-    return last == "gz" ? lower_case_extension(file.stem()) : last;
-}
-
-bool is_of_pair(const std::filesystem::path& file)
-{
-    const std::string ending = volume_ending(file);
-    return ending == "hdr" || ending == "img";
-}
 
 template <class Number>
 void convert(const std::string& bytes, std::size_t count, bool swapped, std::vector<double>& numbers)
@@ -72,39 +61,13 @@ void convert(const VolumeHeader& header, const std::string& bytes, std::size_t c
 bool is_volume(const std::filesystem::path& file)
 {
     constexpr std::array<std::string_view, 5> known{"nii", "hdr", "img", "mgh", "mgz"};
-    return std::ranges::find(known, volume_ending(file)) != known.end();
-}
-
-std::filesystem::path other_of_pair(const std::filesystem::path& file)
-{
-    if (!is_of_pair(file))
-    {
-        return {};
-    }
-    const bool is_header = volume_ending(file) == "hdr";
-    std::filesystem::path stem = file;
-    stem = lower_case_extension(stem) == "gz" ? stem.replace_extension() : stem;
-    for (const char* ending : {is_header ? ".img" : ".hdr", is_header ? ".IMG" : ".HDR"})
-    {
-        for (const char* packed : {"", ".gz", ".GZ"})
-        {
-            std::filesystem::path other = stem;
-            other.replace_extension(ending);
-            other += packed;
-            std::error_code error;
-            if (std::filesystem::exists(other, error))
-            {
-                return other;
-            }
-        }
-    }
-    return {};
+    return std::ranges::find(known, plain_extension(file)) != known.end();
 }
 
 VolumeFile::VolumeFile(const std::filesystem::path& file)
 {
     const std::filesystem::path other = other_of_pair(file);
-    const bool is_image = volume_ending(file) == "img";
+    const bool is_image = plain_extension(file) == "img";
     if (is_image && other.empty())
     {
         fail_reading(file.string(), "the image of a pair", "no header (.hdr) beside it", "both");

@@ -23,9 +23,6 @@ struct VolumeBytes
 /// .gz behind it?
 bool is_volume(const std::filesystem::path& file);
 
-/// The other file of a pair, .img for .hdr and .hdr for .img; empty where there is none.
-std::filesystem::path other_of_pair(const std::filesystem::path& file);
-
 /// The file or files of an image, in memory.
 class VolumeFile
 {

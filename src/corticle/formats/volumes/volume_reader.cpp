@@ -32,8 +32,7 @@ class LabelReader
     {
         for (std::size_t k = 0; k < numbers.size(); ++k)
         {
-            const std::int32_t label =
-                threshold_ ? above_threshold(numbers[k]) : whole_label(numbers[k], first + k);
+            const std::int32_t label = threshold_ ? above_threshold(numbers[k]) : whole_label(numbers[k], first + k);
             if (label != 0 && labels_.empty())
             {
                 allocate();
@@ -87,8 +86,7 @@ class LabelReader
     {
         const double intercept = std::abs(header_.intercept);
         const double whole = std::nearbyint(value);
-        const bool is_whole =
-            imaging::is_whole_label(value, std::max(std::abs(value - header_.intercept), intercept));
+        const bool is_whole = imaging::is_whole_label(value, std::max(std::abs(value - header_.intercept), intercept));
         const bool fits = std::abs(whole) <= static_cast<double>(std::numeric_limits<std::int32_t>::max());
         if (!is_whole || !fits)
         {
@@ -140,9 +138,8 @@ imaging::LabelVolume parse_labels(const VolumeBytes& bytes, const std::string& n
     imaging::LabelVolume image{header.size, header.frame, reader.finish(), header.notes};
     if (reader.not_numbers() > 0)
     {
-        image.notes.push_back(
-            fmt::format("{} of {} voxels are no numbers (NaN): taken as below the threshold of {:g}",
-                        reader.not_numbers(), header.voxels(), choice.threshold.value_or(0.0)));
+        image.notes.push_back(fmt::format("{} of {} voxels are no numbers (NaN): taken as below the threshold of {:g}",
+                                          reader.not_numbers(), header.voxels(), choice.threshold.value_or(0.0)));
     }
     return image;
 }

@@ -16,7 +16,7 @@ struct VolumeChoice
 {
     std::optional<std::int64_t> volume;             ///< of a 4D image, from 0
     Coordinates coordinates = Coordinates::scanner; ///< file: xyzt_units is passed over, numbers are millimetres
-    std::optional<double> threshold; ///< a map of probabilities: label 1 from this value on, else 0
+    std::optional<double> threshold;                ///< a map of probabilities: label 1 from this value on, else 0
 };
 
 /// Reads tissue labels from a NIfTI-1 or -2 file of one piece or a pair, or from FreeSurfer's MGH and MGZ (told by

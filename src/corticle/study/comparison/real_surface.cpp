@@ -48,9 +48,10 @@ RealSurfaceReading read_real_surface(const std::filesystem::path& file, const Re
     }
     if (!options.mask.labels.empty())
     {
-        throw InputError(fmt::format("{}: --labels is given, but this is no label volume; expected a NIfTI or MGH file, or no "
-                                     "--labels",
-                                     file.string()));
+        throw InputError(
+            fmt::format("{}: --labels is given, but this is no label volume; expected a NIfTI or MGH file, or no "
+                        "--labels",
+                        file.string()));
     }
     reading.surface =
         formats::read_surface(file, {formats::millimetres_per(options.unit), options.coordinates, &reading.notes});
