@@ -34,11 +34,6 @@ inline constexpr int interrupted = 130;
 /// One line on stderr, whatever the message holds. @return the status
 int complain(std::string message, int status);
 
-/// Where the results of a case go: `out`, or without it PARENT/<stem of the case>.
-/// @throws InputError where neither says, as the case comes from the standard input
-std::filesystem::path chosen_folder(const std::filesystem::path& out, const char* parent,
-                                    const std::filesystem::path& case_file);
-
 struct RunArguments
 {
     std::filesystem::path case_file;

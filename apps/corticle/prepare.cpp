@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "case_folder.hpp"
 #include "commands.hpp"
 
 #include "corticle/config/case_file.hpp"
