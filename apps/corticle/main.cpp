@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command_line.hpp"
 #include "command_pages.hpp"
+#include "thread_limits.hpp"
 
 #include "corticle/base/error.hpp"
 #include "corticle/base/version.hpp"
@@ -46,7 +47,8 @@ void add_threads(CLI::App& verb, int& threads)
 {
     verb.add_option("--threads", threads, "Number of threads (default: all cores)")
         ->type_name("N")
-        ->check(CLI::Range(1, 1024));
+        ->check(CLI::Range(1, most_threads))
+        ->check([](const std::string& count) { return thread_shortage(std::atoi(count.c_str())); });
 }
 
 void add_no_report(CLI::App& verb, bool& report)
@@ -368,6 +370,7 @@ int main(int argc, char** argv)
     sleep_at_barriers(argv);
     try
     {
+        require_thread_environment();
         return flushed(dispatch(argc, argv));
     }
     catch (const InputError& error)
