@@ -61,11 +61,11 @@ void NiftiFields::require_magic() const
     {
         return;
     }
-    constexpr std::size_t regular = 38; // where ANALYZE 7.5 has an 'r'
-    if (!layout_.wide && bytes_[regular] == 'r' && magic.substr(0, 2) != "n+" && magic.substr(0, 2) != "ni")
+    constexpr std::size_t regular = 38; // where ANALYZE 7.5 has an 'r', or nothing; it has no magic
+    if (!layout_.wide && (magic == "\0\0\0\0"sv || (bytes_[regular] == 'r' && magic.front() != 'n')))
     {
         fail_reading(name_, "an ANALYZE 7.5 header, which does not say where left and right are", "no NIfTI magic",
-                     "NIfTI or MGH (nib.Nifti1Image of nibabel or fslchfiletype convert it; check left and right)");
+                     "NIfTI or MGH");
     }
     fail_reading(name_, "wrong magic", fmt::format("\"{}\"", magic), layout_.wide ? "n+2 or ni2" : "n+1 or ni1");
 }
