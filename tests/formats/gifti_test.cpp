@@ -192,6 +192,15 @@ TEST(Gifti, ReadsTrianglesOfEveryWholeType)
     EXPECT_THAT(formats::parse_gifti(one, "a").arrays.at(0).values, ElementsAre(258.0));
 }
 
+/// An array inside an element that is no GIFTI is none: its matrix has nothing to belong to.
+TEST(Gifti, RefusesAnArrayInAnElementThatDoesNotClose)
+{
+    const std::string matrix = "<CoordinateSystemTransformMatrix><DataSpace></DataSpace></CoordinateSystemTransformMatrix>";
+    const std::string good = gifti_surface(tetrahedron(), {}, matrix);
+    EXPECT_TRUE(refusal(good).find("malformed XML") == std::string::npos);
+    EXPECT_THAT(refusal(changed(good, "<LabelTable/>", "<LabelT>ble/>")), HasSubstr("malformed XML"));
+}
+
 TEST(Gifti, ReadsNumbersInAFileOfTheirOwn)
 {
     const TemporaryFolder folder;

@@ -141,7 +141,7 @@ void Parser::open_element(const XmlTag& tag)
     {
         open_array(tag);
     }
-    else if (tag.name == "CoordinateSystemTransformMatrix" && is_inside("DataArray"))
+    else if (tag.name == "CoordinateSystemTransformMatrix" && is_inside("DataArray") && open_.size() == 2)
     {
         file_.arrays.back().transforms.emplace_back();
     }

@@ -4,6 +4,7 @@
 #include "corticle/formats/volumes/nifti_header.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <string>
 #include <vector>
 

@@ -336,11 +336,11 @@ TEST(Nifti, IsKnownByItsNameInEitherCase)
 {
     for (const char* name : {"a.nii", "a.NII", "a.nii.gz", "B.NII.GZ", "a.Img", "a.HDR"})
     {
-        EXPECT_TRUE(formats::is_nifti(name)) << name;
+        EXPECT_TRUE(formats::is_volume(name)) << name;
     }
     for (const char* name : {"a.gz", "nii", "a.nii.txt", "a.gii.gz"})
     {
-        EXPECT_FALSE(formats::is_nifti(name)) << name;
+        EXPECT_FALSE(formats::is_volume(name)) << name;
     }
 }
 
