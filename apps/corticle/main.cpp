@@ -240,6 +240,9 @@ void add_real_surface(CLI::App& verb, study::RealSurfaceOptions& options)
         ->type_name("A,B,...")
         ->delimiter(',')
         ->allow_extra_args(false);
+    verb.add_option("--threshold", options.mask.threshold,
+                    "Of a map of probabilities: the body is where it is at least this")
+        ->type_name("VALUE");
     verb.add_option("--closing-mm", options.mask.closing_mm, "Radius by which the mask of the labels is closed")
         ->capture_default_str()
         ->type_name("MM");

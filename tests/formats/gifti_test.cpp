@@ -195,7 +195,8 @@ TEST(Gifti, ReadsTrianglesOfEveryWholeType)
 /// An array inside an element that is no GIFTI is none: its matrix has nothing to belong to.
 TEST(Gifti, RefusesAnArrayInAnElementThatDoesNotClose)
 {
-    const std::string matrix = "<CoordinateSystemTransformMatrix><DataSpace></DataSpace></CoordinateSystemTransformMatrix>";
+    const std::string matrix =
+        "<CoordinateSystemTransformMatrix><DataSpace></DataSpace></CoordinateSystemTransformMatrix>";
     const std::string good = gifti_surface(tetrahedron(), {}, matrix);
     EXPECT_TRUE(refusal(good).find("malformed XML") == std::string::npos);
     EXPECT_THAT(refusal(changed(good, "<LabelTable/>", "<LabelT>ble/>")), HasSubstr("malformed XML"));

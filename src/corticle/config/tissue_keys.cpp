@@ -72,6 +72,12 @@ void check_labelled_cortex(const Options& options, const Place& place)
     refuse("tissue.thickness_rate_mm", options.tissue.thickness_rate_mm != 0.0);
     refuse("map.thickness_file", !options.map.thickness_file.empty());
     refuse("size.thin_cortex", options.size.thin_cortex);
+    if (options.geometry.mask.threshold)
+    {
+        throw InputError(fmt::format("{}{} is given beside geometry.threshold{}: expected one of them, as an image "
+                                     "holds labels or probabilities",
+                                     cortex, place(cortex), place("geometry.threshold")));
+    }
 }
 
 void check_growth_law(const Options& options, const Place& place)

@@ -16,14 +16,18 @@ namespace corticle::prepare
 
 imaging::LabelVolume read_body_labels(const GeometryOptions& geometry)
 {
-    return formats::read_labels(geometry.file, {geometry.mask.volume, geometry.coordinates});
+    return formats::read_labels(geometry.file, {geometry.mask.volume, geometry.coordinates, geometry.mask.threshold});
 }
 
 imaging::LabelVolume read_label_image(const std::filesystem::path& file, const imaging::MaskOptions& mask,
                                       formats::Coordinates coordinates, std::vector<std::string>& notes)
 {
-    imaging::LabelVolume image = formats::read_labels(file, {mask.volume, coordinates});
+    imaging::LabelVolume image = formats::read_labels(file, {mask.volume, coordinates, mask.threshold});
     notes.push_back(imaging::describe(image));
+    if (mask.threshold)
+    {
+        notes.push_back(fmt::format("a map of probabilities: the body is where it is at least {:g}", *mask.threshold));
+    }
     std::ranges::move(image.notes, std::back_inserter(notes));
     return image;
 }
