@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/formats/legacy_vtk.hpp"
+#include "corticle/formats/surfaces/legacy_vtk.hpp"
 
 #include "corticle/base/error.hpp"
 #include "corticle/formats/surfaces/surface_reader.hpp"

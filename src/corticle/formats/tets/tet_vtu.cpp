@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/formats/format_error.hpp"
-#include "corticle/formats/legacy_vtk.hpp"
+#include "corticle/formats/surfaces/legacy_vtk.hpp"
 #include "corticle/formats/tets/tet_formats.hpp"
 #include "corticle/formats/vtk_xml.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/formats/legacy_vtk.hpp"
+#include "corticle/formats/surfaces/legacy_vtk.hpp"
 
 #include "corticle/formats/format_error.hpp"
 #include "corticle/formats/text_scan.hpp"
