@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command_line.hpp"
 #include "command_pages.hpp"
+#include "thread_limits.hpp"
 
 #include "corticle/base/error.hpp"
 #include "corticle/base/version.hpp"
@@ -46,7 +47,8 @@ void add_threads(CLI::App& verb, int& threads)
 {
     verb.add_option("--threads", threads, "Number of threads (default: all cores)")
         ->type_name("N")
-        ->check(CLI::Range(1, 1024));
+        ->check(CLI::Range(1, most_threads))
+        ->check([](const std::string& count) { return thread_shortage(std::atoi(count.c_str())); });
 }
 
 void add_no_report(CLI::App& verb, bool& report)
@@ -59,7 +61,9 @@ void add_run(CLI::App& app, Verb& chosen)
 {
     auto arguments = std::make_shared<RunArguments>();
     CLI::App* verb = app.add_subcommand("run", "Run a case");
-    verb->add_option("case", arguments->case_file, "Case to run")->type_name("CASE.toml")->required();
+    verb->add_option("case", arguments->case_file, "Case to run; - for the standard input")
+        ->type_name("CASE.toml")
+        ->required();
     verb->add_option("--out", arguments->request.out, "Run folder (default: runs/<name of the case>)")
         ->type_name("DIR");
     verb->add_option("--body", arguments->request.body,
@@ -167,7 +171,9 @@ void add_prepare(CLI::App& app, Verb& chosen)
     auto arguments = std::make_shared<PrepareArguments>();
     CLI::App* verb =
         app.add_subcommand("prepare", "Make the body of a case, and nothing else: report, files, pictures");
-    verb->add_option("case", arguments->case_file, "Case to prepare")->type_name("CASE.toml")->required();
+    verb->add_option("case", arguments->case_file, "Case to prepare; - for the standard input")
+        ->type_name("CASE.toml")
+        ->required();
     verb->add_option("--out", arguments->request.out, "Folder for the body (default: prepared/<name of the case>)")
         ->type_name("DIR");
     add_overrides(*verb, arguments->overrides);
@@ -195,7 +201,9 @@ void add_check(CLI::App& app, Verb& chosen)
 {
     auto arguments = std::make_shared<CheckArguments>();
     CLI::App* verb = app.add_subcommand("check", "Print the resolved case and what a run of it will take");
-    verb->add_option("case", arguments->case_file, "Case to check")->type_name("CASE.toml")->required();
+    verb->add_option("case", arguments->case_file, "Case to check; - for the standard input")
+        ->type_name("CASE.toml")
+        ->required();
     add_overrides(*verb, arguments->overrides);
     add_threads(*verb, arguments->threads);
     verb->callback([arguments, &chosen] { chosen = [arguments] { return check_command(*arguments); }; });
@@ -232,6 +240,9 @@ void add_real_surface(CLI::App& verb, study::RealSurfaceOptions& options)
         ->type_name("A,B,...")
         ->delimiter(',')
         ->allow_extra_args(false);
+    verb.add_option("--threshold", options.mask.threshold,
+                    "Of a map of probabilities: the body is where it is at least this")
+        ->type_name("VALUE");
     verb.add_option("--closing-mm", options.mask.closing_mm, "Radius by which the mask of the labels is closed")
         ->capture_default_str()
         ->type_name("MM");
@@ -244,7 +255,7 @@ void add_measure(CLI::App& app, Verb& chosen)
 {
     auto arguments = std::make_shared<MeasureArguments>();
     CLI::App* verb = app.add_subcommand("measure", "Size, indices and folds of a closed surface or of labels");
-    verb->add_option("file", arguments->file, "STL, OBJ, PLY, OFF, VTP, GIFTI, FreeSurfer, or NIfTI labels")
+    verb->add_option("file", arguments->file, "STL, OBJ, PLY, OFF, VTP, VTK, GIFTI, FreeSurfer, or labels: NIfTI, MGH")
         ->type_name("FILE")
         ->required();
     add_real_surface(*verb, arguments->options);
@@ -362,6 +373,7 @@ int main(int argc, char** argv)
     sleep_at_barriers(argv);
     try
     {
+        require_thread_environment();
         return flushed(dispatch(argc, argv));
     }
     catch (const InputError& error)

@@ -3,7 +3,7 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/formats/atomic_file.hpp"
-#include "corticle/formats/volumes/nifti.hpp"
+#include "corticle/formats/volumes/volume_reader.hpp"
 #include "corticle/metrics/region_areas.hpp"
 #include "corticle/metrics/surface_rows.hpp"
 #include "corticle/study/point_surface.hpp"
@@ -71,7 +71,7 @@ void add_regions(const MeasureArguments& arguments, const TriangleMesh& surface,
     }
     require_new_file("--areas", arguments.areas, arguments.overwrite);
     const std::vector<double> labels = regions::nearest_labels(
-        formats::read_nifti(arguments.regions, {{}, arguments.options.coordinates}), surface.vertices);
+        formats::read_labels(arguments.regions, {{}, arguments.options.coordinates}), surface.vertices);
     std::string table = "label,area_mm2\n";
     for (const auto& [label, area] : metrics::region_areas({surface.vertices, surface.triangles}, labels))
     {

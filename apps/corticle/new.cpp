@@ -3,7 +3,7 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/config/starter.hpp"
-#include "corticle/formats/volumes/nifti.hpp"
+#include "corticle/formats/volumes/nifti_write.hpp"
 #include "corticle/imaging/phantom.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "case_folder.hpp"
 #include "commands.hpp"
 
 #include "corticle/config/case_file.hpp"
@@ -14,12 +15,9 @@ int prepare_command(PrepareArguments arguments)
 {
     study::exit_when_interrupted();
     study::PrepareRequest& request = arguments.request;
+    request.out = chosen_folder(request.out, "prepared", arguments.case_file);
     request.options = config::read_case(arguments.case_file, arguments.overrides);
     config::identify_inputs(request.options);
-    if (request.out.empty())
-    {
-        request.out = std::filesystem::path("prepared") / arguments.case_file.stem();
-    }
     const std::string report = study::prepare(request);
     if (!arguments.quiet)
     {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "case_folder.hpp"
 #include "commands.hpp"
 
 #include "corticle/base/communicator.hpp"
 #include "corticle/base/error.hpp"
 #include "corticle/config/case_file.hpp"
 #include "corticle/config/case_inputs.hpp"
+#include "corticle/config/case_text.hpp"
 #include "corticle/report/run_ending.hpp"
 #include "corticle/study/interruption.hpp"
 #include "corticle/study/run_folder.hpp"
@@ -22,12 +24,14 @@ namespace
 int run_on(const Communicator& ranks, RunArguments& arguments)
 {
     record::RunRequest& request = arguments.request;
+    request.out = chosen_folder(request.out, "runs", arguments.case_file);
+    if (config::is_standard_input(arguments.case_file) && ranks.size() > 1)
+    {
+        throw InputError(fmt::format("a case on the standard input reaches one process only: got {}, expected a file",
+                                     ranks.size()));
+    }
     request.options = config::read_case(arguments.case_file, arguments.overrides);
     config::identify_inputs(request.options);
-    if (request.out.empty())
-    {
-        request.out = std::filesystem::path("runs") / arguments.case_file.stem();
-    }
     std::error_code error;
     if (std::filesystem::is_directory(request.body, error))
     {

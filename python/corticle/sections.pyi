@@ -20,6 +20,7 @@ class Geometry(Section):
     wrap_offset_mm: float
     labels: Sequence[int]
     image_volume: Optional[int]
+    threshold: Optional[float]
     closing_mm: Optional[float]
     fill_cavities: bool
     smoothing_mm: Optional[float]

@@ -4,7 +4,7 @@
 #include "corticle/config/parameters/choices.hpp"
 #include "corticle/formats/surfaces/surface_reader.hpp"
 #include "corticle/formats/surfaces/surface_writer.hpp"
-#include "corticle/formats/volumes/nifti.hpp"
+#include "corticle/formats/volumes/nifti_write.hpp"
 #include "corticle/geometry/validate.hpp"
 #include "corticle/imaging/phantom.hpp"
 #include "corticle/study/comparison/real_surface.hpp"

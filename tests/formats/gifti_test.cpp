@@ -2,6 +2,7 @@
 #include "corticle/formats/gifti.hpp"
 
 #include "corticle/base/error.hpp"
+#include "corticle/formats/companion_files.hpp"
 #include "corticle/formats/surfaces/surface_reader.hpp"
 #include "formats/gifti_samples.hpp"
 #include "formats/temporary_folder.hpp"
@@ -126,7 +127,8 @@ TEST(Gifti, RefusesWithOneLine)
 {
     const std::string good = gifti_surface(tetrahedron(), {"Base64Binary"});
     EXPECT_EQ(refusal(good), "");
-    EXPECT_THAT(refusal(changed(good, "Base64Binary", "ExternalFileBinary")), HasSubstr("lies in another file"));
+    EXPECT_THAT(refusal(changed(good, "Base64Binary", "ExternalFileBinary")),
+                HasSubstr("lies in another file; got no ExternalFileName"));
     EXPECT_THAT(refusal(changed(good, "Base64Binary", "Base32")), HasSubstr("unknown Encoding"));
     EXPECT_THAT(refusal(changed(good, "FLOAT32", "COMPLEX64")), HasSubstr("NIFTI_TYPE_COMPLEX64"));
     EXPECT_THAT(refusal(changed(good, "Dim0=\"4\"", "Dim0=\"5\"")), HasSubstr("truncated or damaged DataArray 0"));
@@ -188,6 +190,48 @@ TEST(Gifti, ReadsTrianglesOfEveryWholeType)
                             "Dimensionality=\"1\" Dim0=\"1\" Encoding=\"Base64Binary\" Endian=\"LittleEndian\">"
                             "<Data>AgEAAAAAAAA=</Data></DataArray></GIFTI>";
     EXPECT_THAT(formats::parse_gifti(one, "a").arrays.at(0).values, ElementsAre(258.0));
+}
+
+/// An array inside an element that is no GIFTI is none: its matrix has nothing to belong to.
+TEST(Gifti, RefusesAnArrayInAnElementThatDoesNotClose)
+{
+    const std::string matrix =
+        "<CoordinateSystemTransformMatrix><DataSpace></DataSpace></CoordinateSystemTransformMatrix>";
+    const std::string good = gifti_surface(tetrahedron(), {}, matrix);
+    EXPECT_TRUE(refusal(good).find("malformed XML") == std::string::npos);
+    EXPECT_THAT(refusal(changed(good, "<LabelTable/>", "<LabelT>ble/>")), HasSubstr("malformed XML"));
+}
+
+TEST(Gifti, ReadsNumbersInAFileOfTheirOwn)
+{
+    const TemporaryFolder folder;
+    const auto array = [](const std::string& name, std::size_t offset)
+    {
+        return gifti_file("<DataArray Intent=\"NIFTI_INTENT_SHAPE\" DataType=\"NIFTI_TYPE_INT16\" "
+                          "ArrayIndexingOrder=\"RowMajorOrder\" Dimensionality=\"1\" Dim0=\"4\" "
+                          "Encoding=\"ExternalFileBinary\" Endian=\"BigEndian\" ExternalFileName=\"" +
+                          name + "\" ExternalFileOffset=\"" + std::to_string(offset) +
+                          "\"><Data></Data></DataArray>\n");
+    };
+    std::string numbers(3, 'x');
+    for (const std::int16_t number : {1, -2, 3, 400})
+    {
+        append(numbers, number, true);
+    }
+    put_bytes(folder / "a.dat", numbers);
+    const std::string name = folder / "a.gii";
+    EXPECT_THAT(formats::parse_gifti(array("a.dat", 3), name).arrays.at(0).values,
+                ::testing::ElementsAre(1, -2, 3, 400));
+    const auto refused = [&](const std::string& bytes)
+    { return message_of<InputError>([&] { formats::parse_gifti(bytes, name); }); };
+    EXPECT_THAT(refused(array("a.dat", 4)), HasSubstr("is longer than a.dat; got 8 bytes from byte 4 on"));
+    EXPECT_THAT(refused(array("none.dat", 0)), HasSubstr("none.dat: cannot be opened"));
+    EXPECT_THAT(refused(array("../a.dat", 0)), HasSubstr("expected the name of a file in the folder of this one"));
+    EXPECT_THAT(refused(array("/dev/zero", 0)), HasSubstr("expected the name of a file in the folder of this one"));
+    put_bytes(name, array("a.dat", 3));
+    const std::string sum = formats::sha256_with_companions(name);
+    put_bytes(folder / "a.dat", numbers + "y");
+    EXPECT_NE(formats::sha256_with_companions(name), sum);
 }
 
 } // namespace corticle

@@ -2,6 +2,7 @@
 #include "corticle/formats/vtk_files.hpp"
 
 #include "corticle/base/error.hpp"
+#include "formats/random_flips.hpp"
 #include "formats/surfaces/surface_samples.hpp"
 #include "formats/temporary_folder.hpp"
 
@@ -17,6 +18,7 @@
 
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace corticle
 {
@@ -132,6 +134,44 @@ TEST(VtkFiles, RefusesDamage)
     EXPECT_THAT(message_of<RunError>(
                     [&] { formats::write_surface_vtp(folder / "none/a.vtp", mesh.vertices, mesh.triangles, {}); }),
                 HasSubstr("none/a.vtp: No such file"));
+}
+
+TEST(VtkFiles, NoFlippedBitIsReadInSilence)
+{
+    const TemporaryFolder folder;
+    const TriangleMesh mesh = tetrahedron();
+    const std::vector<std::int32_t> ids{3, 1, 2, 2147483647};
+    formats::write_surface_vtp(folder / "a.vtp", mesh.vertices, mesh.triangles, fields);
+    formats::write_particles_vtu(folder / "a.vtu", mesh.vertices, ids, fields);
+    formats::write_pvd(folder / "a.pvd", std::vector<std::pair<double, std::string>>{{0.0, "a"}, {1.0 / 3.0, "b"}});
+    expect_no_silent_flip(folder / "a.vtp",
+                          [](const std::filesystem::path& file)
+                          {
+                              const formats::SurfaceFile read = formats::read_surface_vtp(file);
+                              return std::tuple(read.mesh.vertices, read.mesh.triangles, read.fields);
+                          });
+    expect_no_silent_flip(folder / "a.vtu",
+                          [](const std::filesystem::path& file)
+                          {
+                              const formats::ParticleFile read = formats::read_particles_vtu(file);
+                              return std::pair(read.points, read.fields);
+                          });
+    expect_no_silent_flip(folder / "a.pvd", [](const std::filesystem::path& file) { return formats::read_pvd(file); });
+}
+
+TEST(VtkFiles, FilesWithoutAChecksumAreRead)
+{
+    const TemporaryFolder folder;
+    const TriangleMesh mesh = tetrahedron();
+    formats::write_surface_vtp(folder / "a.vtp", mesh.vertices, mesh.triangles, fields);
+    const std::string bytes = bytes_of(folder / "a.vtp");
+    const std::size_t line = bytes.rfind("<!-- checksum ");
+    ASSERT_NE(line, std::string::npos);
+    put_bytes(folder / "b.vtp", bytes.substr(0, line));
+    EXPECT_EQ(formats::read_surface_vtp(folder / "b.vtp").mesh.vertices, mesh.vertices);
+    put_bytes(folder / "c.vtp", " " + bytes);
+    EXPECT_THAT(message_of<InputError>([&] { formats::read_surface_vtp(folder / "c.vtp"); }),
+                HasSubstr("c.vtp: damaged, or changed by hand"));
 }
 
 } // namespace corticle

@@ -4,6 +4,8 @@
 
 #include "corticle/formats/vtk_files.hpp"
 #include "formats/gifti_samples.hpp"
+#include "formats/surfaces/freesurfer_samples.hpp"
+#include "formats/volumes/mgh_samples.hpp"
 #include "fuzz/reader_fuzz.hpp"
 
 namespace corticle
@@ -19,7 +21,15 @@ std::vector<Sample> samples()
     const TemporaryFolder folder;
     formats::write_surface_vtp(folder / "a.vtp", mesh.vertices, mesh.triangles,
                                std::vector<formats::Field>{{"depth", 1, values}, {"m", 1, values}});
-    return {{"vtp", bytes_of(folder / "a.vtp")},
+    const std::string vtp = bytes_of(folder / "a.vtp");
+    MghSample image;
+    image.size = {4, 1, 1, 1};
+    return {{"vtp", vtp.substr(0, vtp.rfind("<!-- checksum"))}, // which would refuse all damage
+            {"annot", annotation({1, 2, 3, 1}, {{5, "a", {1, 0, 0}}, {7, "b", {2, 0, 0}}})},
+            {"annot", annotation({1, 2, 3, 1}, {{0, "a", {1, 0, 0}}, {1, "b", {2, 0, 0}}}, false)},
+            {"label", "#!ascii label\n2\n3 1 2 3 0.5\n1 -1 -2 -3 0\n"},
+            {"asc", "000 1 2 3 0.5\n001 1 2 3 -1\n002 1 2 3 2\n003 1 2 3 4\n"},
+            {"mgh", image.numbers<float>(3, values).bytes()},
             {"gii", gifti_scalars({}, values)},
             {"gii", gifti_scalars({"Base64Binary", true}, values)},
             {"gii", gifti_scalars({"GZipBase64Binary"}, values)},
@@ -41,7 +51,7 @@ int main(int argc, char** argv)
                        {"\"", "<", "/>", "<!--", ",", ";", "#", "depth"},
                        [](const std::string& kind, const std::string& bytes)
                        {
-                           const bool is_single = kind == "thickness" || kind == "txt";
-                           formats::parse_surface_map(bytes, kind, "fuzz." + kind, is_single ? "" : "depth", 4);
+                           const bool has_names = kind == "vtp" || kind == "gii" || kind == "csv";
+                           formats::parse_surface_map(bytes, kind, "fuzz." + kind, has_names ? "depth" : "", 4);
                        });
 }

@@ -3,6 +3,7 @@
 #include "corticle/formats/tets/tet_reader.hpp"
 
 #include "corticle/geometry/validate_tets.hpp"
+#include "formats/legacy_vtk_samples.hpp"
 #include "formats/tets/tet_samples.hpp"
 #include "formats/tets/tet_writers.hpp"
 #include "fuzz/reader_fuzz.hpp"
@@ -25,6 +26,10 @@ std::vector<Sample> samples()
     const TemporaryFolder folder;
     write_tets_vtu(folder / "a.vtu", mesh);
     result.emplace_back("vtu", bytes_of(folder / "a.vtu"));
+    for (const LegacyVtkStyle& style : legacy_vtk_styles())
+    {
+        result.emplace_back("vtk", legacy_vtk_tets(mesh, style));
+    }
     return result;
 }
 
@@ -38,7 +43,7 @@ int main(int argc, char** argv)
     limit_memory();
     return fuzz_reader(argc > 1 ? std::atof(argv[1]) : 10.0, samples(),
                        {"\"", "<", "/>", "<!--", "$", "$EndNodes\n", "$Nodes\n", "$Elements\n", "4.1 1 8", "2.2 1 8",
-                        "Tetrahedra\n", "Vertices\n", "End", "#"},
+                        "Tetrahedra\n", "Vertices\n", "End", "#", "CELLS", "CELL_TYPES", "99999999999"},
                        [](const std::string& kind, const std::string& bytes)
                        { geometry::require_valid_tets(formats::parse_tets(bytes, "fuzz " + kind), "fuzz " + kind); });
 }

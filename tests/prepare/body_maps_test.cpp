@@ -2,7 +2,7 @@
 #include "corticle/prepare/body_maps.hpp"
 
 #include "corticle/base/error.hpp"
-#include "corticle/formats/volumes/nifti.hpp"
+#include "corticle/formats/volumes/nifti_write.hpp"
 #include "corticle/geometry/shapes.hpp"
 #include "formats/temporary_folder.hpp"
 

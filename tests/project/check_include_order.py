@@ -7,7 +7,7 @@ from _project import finish, parse_arguments
 
 ORDER = """
 base base/ranks mesh material dynamics mechanics mechanics/tlsph mechanics/fem mechanics/boundary mechanics/tracts mechanics/contact mechanics/thesis model
-geometry imaging cloud metrics/surface metrics formats formats/surfaces formats/volumes formats/tets prepare/thesis
+geometry imaging cloud metrics/surface metrics formats formats/volumes formats/surfaces formats/tets prepare/thesis
 prepare config/parameters config record view view/figures study study/comparison study/sweep study/surrogate study/fit study/sensitivity study/regions report
 """.split()
 INCLUDE = re.compile(r'^\s*#\s*include\s*["<]corticle/([^"<>]+)[">]', re.MULTILINE)

@@ -2,6 +2,7 @@
 #include "corticle/record/checkpoint.hpp"
 
 #include "corticle/base/error.hpp"
+#include "formats/random_flips.hpp"
 #include "formats/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
@@ -11,6 +12,7 @@
 
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace corticle
 {
@@ -96,6 +98,19 @@ TEST(Checkpoint, RefusesEveryChangedByte)
         put_bytes(folder / "bad.h5", damaged);
         EXPECT_THROW(record::read_checkpoint(folder / "bad.h5"), InputError) << at;
     }
+}
+
+TEST(Checkpoint, NoFlippedBitIsReadInSilence)
+{
+    const TemporaryFolder folder;
+    record::write_checkpoint(folder / "a.h5", sample());
+    expect_no_silent_flip(folder / "a.h5",
+                          [](const std::filesystem::path& file)
+                          {
+                              const record::Checkpoint read = record::read_checkpoint(file);
+                              return std::tuple(read.program_version, read.case_text, read.vectors, read.scalars,
+                                                read.integers);
+                          });
 }
 
 TEST(Checkpoint, RefusesForeignFiles)

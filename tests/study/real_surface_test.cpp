@@ -2,7 +2,7 @@
 #include "corticle/study/comparison/real_surface.hpp"
 
 #include "corticle/base/error.hpp"
-#include "corticle/formats/volumes/nifti.hpp"
+#include "corticle/formats/volumes/nifti_write.hpp"
 #include "corticle/metrics/surface_measures.hpp"
 #include "formats/temporary_folder.hpp"
 

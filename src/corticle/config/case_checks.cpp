@@ -70,6 +70,13 @@ void check_file_keys(const prepare::GeometryOptions& geometry, const Place& plac
     };
     require_file("geometry.labels", !geometry.mask.labels.empty());
     require_file("geometry.image_volume", geometry.mask.volume.has_value());
+    require_file("geometry.threshold", geometry.mask.threshold.has_value());
+    if (geometry.mask.threshold && !geometry.mask.labels.empty())
+    {
+        throw InputError(fmt::format("geometry.threshold{} and geometry.labels{} are both given: expected one, as an "
+                                     "image holds probabilities or labels",
+                                     place("geometry.threshold"), place("geometry.labels")));
+    }
     require_file("geometry.hemisphere", geometry.mask.hemisphere != imaging::Hemisphere::both);
     require_file("geometry.repair", geometry.repair != geometry::Repair::none);
     require_file("geometry.arrangement", geometry.arrangement != prepare::Arrangement::body_fitted &&

@@ -293,7 +293,8 @@ Options parse_overridden_case(std::string_view text, const std::string& name, st
 
 Options read_case(const fs::path& file, std::span<const std::string> overrides)
 {
-    return parse_case(read_case_text(file), file.string(), overrides, file.parent_path());
+    return is_standard_input(file) ? parse_case(read_standard_input(), "standard input", overrides, "")
+                                   : parse_case(read_case_text(file), file.string(), overrides, file.parent_path());
 }
 
 std::vector<std::string> differing_keys(std::string_view resolved_a, std::string_view resolved_b)

@@ -10,8 +10,8 @@
 namespace corticle::config
 {
 
-/// Reads a case (TOML) and then `overrides` ("section.key=value"); checks every key, type and range.
-/// `base_directory` resolves relative paths. An [expect] table is allowed and ignored here.
+/// Reads a case (TOML; - is the standard input) and then `overrides` ("section.key=value"); checks every key, type and
+/// range. `base_directory` resolves relative paths. An [expect] table is allowed and ignored here.
 /// @throws InputError, one line: what, where (file and line, or --set), got, expected, nearest valid key.
 Options read_case(const std::filesystem::path& file, std::span<const std::string> overrides);
 

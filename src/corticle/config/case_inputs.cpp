@@ -3,7 +3,7 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/config/parameters/parameters.hpp"
-#include "corticle/formats/sha256.hpp"
+#include "corticle/formats/companion_files.hpp"
 
 #include <fmt/format.h>
 
@@ -52,7 +52,7 @@ std::string identify(const fs::path& file, KnownChecksums& known)
     const auto [found, is_new] = known.try_emplace(file);
     if (is_new)
     {
-        found->second = formats::sha256_of_file(file);
+        found->second = formats::sha256_with_companions(file);
     }
     return found->second;
 }

@@ -7,14 +7,21 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <iostream>
 #include <iterator>
 
 namespace corticle::config
 {
 
+namespace
+{
+
+constexpr std::uintmax_t longest = 1 << 20;
+
+} // namespace
+
 std::string read_case_text(const std::filesystem::path& file, std::string_view what)
 {
-    constexpr std::uintmax_t longest = 1 << 20;
     const auto refuse = [&](std::string_view reason)
     { return InputError(fmt::format("cannot read {} {}: {}", what, printable(file.string()), reason)); };
     std::error_code error;
@@ -37,6 +44,26 @@ std::string read_case_text(const std::filesystem::path& file, std::string_view w
     {
         throw refuse("no permission, or a failing disk");
     }
+    return text;
+}
+
+bool is_standard_input(const std::filesystem::path& file)
+{
+    return file == "-";
+}
+
+std::string read_standard_input()
+{
+    std::string text(longest + 1, '\0');
+    std::cin.read(text.data(), static_cast<std::streamsize>(text.size()));
+    const auto there = static_cast<std::size_t>(std::cin.gcount());
+    if (std::cin.bad() || there == 0 || there > longest)
+    {
+        throw InputError(fmt::format("cannot read the case from the standard input: got {}, expected a TOML file of at "
+                                     "most {} bytes",
+                                     there == 0 ? "nothing" : "too many bytes", longest));
+    }
+    text.resize(there);
     return text;
 }
 

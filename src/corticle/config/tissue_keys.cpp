@@ -2,7 +2,7 @@
 #include "corticle/config/tissue_keys.hpp"
 
 #include "corticle/base/error.hpp"
-#include "corticle/formats/volumes/nifti.hpp"
+#include "corticle/formats/volumes/volume_reader.hpp"
 
 #include <fmt/format.h>
 
@@ -52,10 +52,10 @@ void check_lists(const Options& options, const Place& place)
 void check_labelled_cortex(const Options& options, const Place& place)
 {
     constexpr std::string_view cortex = "tissue.labels.cortex";
-    if (options.geometry.shape != prepare::Shape::file || !formats::is_nifti(options.geometry.file))
+    if (options.geometry.shape != prepare::Shape::file || !formats::is_volume(options.geometry.file))
     {
         throw InputError(fmt::format("{}{} is given, but the body is no label volume: expected geometry.shape{} = "
-                                     "\"file\" and a NIfTI file",
+                                     "\"file\" and a NIfTI or MGH file",
                                      cortex, place(cortex), place("geometry.shape")));
     }
     const auto refuse = [&](std::string_view key, bool is_set)
@@ -72,6 +72,12 @@ void check_labelled_cortex(const Options& options, const Place& place)
     refuse("tissue.thickness_rate_mm", options.tissue.thickness_rate_mm != 0.0);
     refuse("map.thickness_file", !options.map.thickness_file.empty());
     refuse("size.thin_cortex", options.size.thin_cortex);
+    if (options.geometry.mask.threshold)
+    {
+        throw InputError(fmt::format("{}{} is given beside geometry.threshold{}: expected one of them, as an image "
+                                     "holds labels or probabilities",
+                                     cortex, place(cortex), place("geometry.threshold")));
+    }
 }
 
 void check_growth_law(const Options& options, const Place& place)

@@ -46,8 +46,9 @@ struct GiftiFile
     std::vector<GiftiArray> arrays;
 };
 
-/// Reads GIFTI from memory: text, base64 or compressed base64; either byte order; float32, float64, int32, uint8.
-/// @throws InputError, one line naming `name`, for what is no GIFTI, damaged, or refers to another file.
+/// Reads GIFTI from memory: text, base64 or compressed base64; either byte order; floats and integers of 8 to 64 bits;
+/// numbers in files of their own (ExternalFileBinary) that lie in the folder of `name`.
+/// @throws InputError, one line naming `name`, for what is no GIFTI, or damaged.
 GiftiFile parse_gifti(std::string_view bytes, const std::string& name);
 
 /// Writes a surface: float32 points in scanner RAS [mm] and int32 triangles, compressed. `structure` is what Connectome

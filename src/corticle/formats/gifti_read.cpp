@@ -4,6 +4,7 @@
 #include "corticle/formats/byte_source.hpp"
 #include "corticle/formats/encoding.hpp"
 #include "corticle/formats/format_error.hpp"
+#include "corticle/formats/gifti_numbers.hpp"
 #include "corticle/formats/text_scan.hpp"
 #include "corticle/formats/xml_tag.hpp"
 
@@ -11,6 +12,8 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
+#include <map>
 #include <utility>
 
 namespace corticle::formats
@@ -45,50 +48,6 @@ std::string text_of(std::string_view content)
     return unescape_xml(content);
 }
 
-/// Bytes of a number of a type; 0 for one that is not read.
-std::size_t bytes_of(std::string_view type)
-{
-    constexpr std::array<std::pair<std::string_view, std::size_t>, 10> sizes{{{"NIFTI_TYPE_FLOAT32", 4},
-                                                                              {"NIFTI_TYPE_FLOAT64", 8},
-                                                                              {"NIFTI_TYPE_INT8", 1},
-                                                                              {"NIFTI_TYPE_INT16", 2},
-                                                                              {"NIFTI_TYPE_INT32", 4},
-                                                                              {"NIFTI_TYPE_INT64", 8},
-                                                                              {"NIFTI_TYPE_UINT8", 1},
-                                                                              {"NIFTI_TYPE_UINT16", 2},
-                                                                              {"NIFTI_TYPE_UINT32", 4},
-                                                                              {"NIFTI_TYPE_UINT64", 8}}};
-    const auto found = std::ranges::find(sizes, type, &std::pair<std::string_view, std::size_t>::first);
-    return found == sizes.end() ? 0 : found->second;
-}
-
-/// A number of one of these types.
-double number_of(std::string_view type, const char* at, bool big_endian)
-{
-    const auto whole = [&]<class Signed, class Unsigned>(Signed, Unsigned)
-    {
-        return type.find("UINT") == std::string_view::npos ? static_cast<double>(load<Signed>(at, big_endian))
-                                                           : static_cast<double>(load<Unsigned>(at, big_endian));
-    };
-    if (type.ends_with("FLOAT32"))
-    {
-        return static_cast<double>(load<float>(at, big_endian));
-    }
-    switch (type.ends_with("FLOAT64") ? 0 : bytes_of(type))
-    {
-    case 0:
-        return load<double>(at, big_endian);
-    case 1:
-        return whole(std::int8_t{}, std::uint8_t{});
-    case 2:
-        return whole(std::int16_t{}, std::uint16_t{});
-    case 4:
-        return whole(std::int32_t{}, std::uint32_t{});
-    default:
-        return whole(std::int64_t{}, std::uint64_t{});
-    }
-}
-
 /// How the numbers of an array are stored.
 struct Storage
 {
@@ -97,6 +56,7 @@ struct Storage
     std::string_view encoding;
     bool big_endian = false;
     bool column_major = false;
+    std::string external; ///< name of the file that holds the numbers
 };
 
 class Parser
@@ -114,6 +74,8 @@ class Parser
     void close_element(const XmlTag& tag, std::string_view content);
     void close_transform_element(const XmlTag& tag, std::string_view content);
     void open_array(const XmlTag& tag);
+    void open_external(const XmlTag& tag);
+    void read_external(const XmlTag& tag);
     std::int64_t take_dimensions(const XmlTag& tag);
     void read_data(std::string_view content);
     std::vector<double> text_numbers(std::string_view text, std::size_t count, const std::string& what) const;
@@ -135,6 +97,7 @@ class Parser
     Storage storage_;
     std::int64_t count_ = 0;
     bool has_data_ = true;
+    std::map<std::string, std::string> externals_; ///< bytes of other files
 };
 
 GiftiFile Parser::parse()
@@ -178,7 +141,7 @@ void Parser::open_element(const XmlTag& tag)
     {
         open_array(tag);
     }
-    else if (tag.name == "CoordinateSystemTransformMatrix" && is_inside("DataArray"))
+    else if (tag.name == "CoordinateSystemTransformMatrix" && is_inside("DataArray") && open_.size() == 2)
     {
         file_.arrays.back().transforms.emplace_back();
     }
@@ -270,24 +233,25 @@ void Parser::open_array(const XmlTag& tag)
     file_.arrays.emplace_back();
     GiftiArray& array = file_.arrays.back();
     array.intent = tag.attribute("Intent");
+    storage_.encoding = tag.attribute("Encoding");
+    if (storage_.encoding == "ExternalFileBinary")
+    {
+        open_external(tag);
+    }
     count_ = take_dimensions(tag);
     storage_.type = tag.attribute("DataType");
-    storage_.bytes_per_number = bytes_of(storage_.type);
+    storage_.bytes_per_number = bytes_of_gifti(storage_.type);
     if (storage_.bytes_per_number == 0)
     {
         fail(fmt::format("{} has a DataType that is not read", array_name()), storage_.type,
              "NIFTI_TYPE_FLOAT32, FLOAT64, or INT or UINT of 8 to 64 bits");
     }
-    storage_.encoding = tag.attribute("Encoding");
-    if (storage_.encoding == "ExternalFileBinary")
-    {
-        fail(fmt::format("{} lies in another file, which is not read", array_name()),
-             tag.attribute("ExternalFileName", "no name"), "the data in the file itself (GZipBase64Binary)");
-    }
-    if (storage_.encoding != "ASCII" && storage_.encoding != "Base64Binary" && storage_.encoding != "GZipBase64Binary")
+    constexpr std::array<std::string_view, 4> encodings{"ASCII", "Base64Binary", "GZipBase64Binary",
+                                                        "ExternalFileBinary"};
+    if (std::ranges::find(encodings, storage_.encoding) == encodings.end())
     {
         fail(fmt::format("{} has an unknown Encoding", array_name()), storage_.encoding,
-             "ASCII, Base64Binary or GZipBase64Binary");
+             "ASCII, Base64Binary, GZipBase64Binary or ExternalFileBinary");
     }
     storage_.big_endian = tag.attribute("Endian") == "BigEndian";
     storage_.column_major = tag.attribute("ArrayIndexingOrder") == "ColumnMajorOrder";
@@ -297,10 +261,54 @@ void Parser::open_array(const XmlTag& tag)
              fmt::format("{} dimensions", array.dimensions.size()), "at most 2");
     }
     has_data_ = count_ == 0;
+    if (storage_.encoding == "ExternalFileBinary")
+    {
+        read_external(tag);
+    }
+}
+
+/// A file of numbers beside the GIFTI; it may be named by many arrays, and counts once for what they may take.
+void Parser::open_external(const XmlTag& tag)
+{
+    const std::string name = unescape_xml(tag.attribute("ExternalFileName"));
+    const std::filesystem::path file(name);
+    if (name.empty() || file.has_parent_path() || name == "..")
+    {
+        fail(fmt::format("{} lies in another file", array_name()), name.empty() ? "no ExternalFileName" : name,
+             "the name of a file in the folder of this one");
+    }
+    storage_.external = name;
+    const auto [found, is_new] = externals_.try_emplace(name);
+    if (is_new)
+    {
+        found->second = read_whole_file(std::filesystem::path(name_).parent_path() / file);
+        budget_ += sizeof(double) * found->second.size();
+    }
+}
+
+void Parser::read_external(const XmlTag& tag)
+{
+    const std::string_view bytes = externals_.at(storage_.external);
+    const std::size_t size = static_cast<std::size_t>(count_) * storage_.bytes_per_number;
+    std::size_t offset = 0;
+    if (!to_number(tag.attribute("ExternalFileOffset", "0"), offset) || offset > bytes.size() ||
+        size > bytes.size() - offset)
+    {
+        fail(fmt::format("{} is longer than {}", array_name(), storage_.external),
+             fmt::format("{} bytes from byte {} on", size, tag.attribute("ExternalFileOffset", "0")),
+             fmt::format("at most {}", bytes.size()));
+    }
+    file_.arrays.back().values = gifti_numbers(bytes.substr(offset, size), storage_.type, storage_.big_endian);
+    sort_by_rows();
+    has_data_ = true;
 }
 
 void Parser::read_data(std::string_view content)
 {
+    if (storage_.encoding == "ExternalFileBinary")
+    {
+        return; // an empty element
+    }
     if (has_data_ && count_ > 0)
     {
         fail(fmt::format("{} is damaged", array_name()), "Data twice", "once");
@@ -308,10 +316,7 @@ void Parser::read_data(std::string_view content)
     const auto count = static_cast<std::size_t>(count_);
     file_.arrays.back().values =
         storage_.encoding == "ASCII" ? text_numbers(content, count, array_name()) : binary_numbers(content, count);
-    if (storage_.column_major && file_.arrays.back().dimensions.size() == 2)
-    {
-        sort_by_rows();
-    }
+    sort_by_rows();
     has_data_ = true;
 }
 
@@ -355,18 +360,16 @@ std::vector<double> Parser::binary_numbers(std::string_view text, std::size_t co
         fail(fmt::format("truncated or damaged {}", array_name()), fmt::format("{} characters", text.size()),
              fmt::format("{} bytes of {} data", size, storage_.encoding));
     }
-    std::vector<double> values(count);
-    for (std::size_t i = 0; i < count; ++i)
-    {
-        const char* at = bytes.data() + i * storage_.bytes_per_number;
-        values[i] = number_of(storage_.type, at, storage_.big_endian);
-    }
-    return values;
+    return gifti_numbers(bytes, storage_.type, storage_.big_endian);
 }
 
 void Parser::sort_by_rows()
 {
     GiftiArray& array = file_.arrays.back();
+    if (!storage_.column_major || array.dimensions.size() != 2)
+    {
+        return;
+    }
     const auto rows = static_cast<std::size_t>(array.dimensions[0]);
     const auto columns = static_cast<std::size_t>(array.dimensions[1]);
     std::vector<double> by_rows(array.values.size());

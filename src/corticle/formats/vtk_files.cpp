@@ -3,6 +3,7 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/formats/atomic_file.hpp"
+#include "corticle/formats/checksum.hpp"
 #include "corticle/formats/quiet_vtk.hpp"
 #include "corticle/formats/vtk_xml.hpp"
 
@@ -94,6 +95,7 @@ void write(const std::filesystem::path& file, vtkDataObject* data)
                                                         reason != 0 ? std::generic_category().message(reason)
                                                                     : "VTK left it incomplete"));
                          }
+                         append_checksum(temporary);
                      });
 }
 
@@ -159,7 +161,7 @@ void write_pvd(const std::filesystem::path& file, std::span<const std::pair<doub
             fmt::format("    <DataSet timestep=\"{}\" group=\"\" part=\"0\" file=\"{}\"/>\n", time, escape_xml(name));
     }
     text += "  </Collection>\n</VTKFile>\n";
-    write_text_atomically(file, text);
+    write_text_atomically(file, text + checksum_line(text));
 }
 
 } // namespace corticle::formats

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/formats/checksum.hpp"
 #include "corticle/formats/format_error.hpp"
 #include "corticle/formats/text_scan.hpp"
 #include "corticle/formats/vtk_files.hpp"
@@ -117,6 +118,7 @@ ParticleFile read_particles_vtu(const std::filesystem::path& file)
 std::vector<std::pair<double, std::string>> read_pvd(const std::filesystem::path& file)
 {
     const std::string bytes = read_whole_file(file);
+    require_checksum(bytes, file.string());
     std::vector<std::pair<double, std::string>> frames;
     XmlTag tag;
     bool is_collection = false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/formats/vtk_xml.hpp"
 
+#include "corticle/formats/checksum.hpp"
 #include "corticle/formats/format_error.hpp"
 #include "corticle/formats/text_scan.hpp"
 
@@ -47,6 +48,7 @@ const VtkXmlArray& VtkXmlFile::required(const VtkXmlPiece& piece, std::string_vi
 VtkXmlFile::VtkXmlFile(std::string_view bytes, std::string type, std::string file, std::size_t largest_growth)
     : type_(std::move(type)), file_(std::move(file)), budget_(free_growth + largest_growth * bytes.size())
 {
+    require_checksum(bytes, file_);
     parse(bytes);
     if (pieces_.empty())
     {

@@ -28,6 +28,7 @@ struct MaskOptions
 {
     std::vector<std::int64_t> labels;   ///< the tissue of the body; empty: every label but 0
     std::optional<std::int64_t> volume; ///< which volume of a 4D image, from 0
+    std::optional<double> threshold;    ///< of a map of probabilities: the body is where it is at least this
     double closing_mm = 1.8;            ///< radius of the closing, which closes gaps up to twice as wide; 0: none
     bool fill_cavities = true;          ///< fill background that is cut off from the outside
     double smoothing_mm = 1.2;          ///< standard deviation of the Gaussian; 0: none

@@ -2,7 +2,7 @@
 #include "corticle/prepare/body_checks.hpp"
 
 #include "corticle/base/error.hpp"
-#include "corticle/formats/volumes/nifti.hpp"
+#include "corticle/formats/volumes/volume_reader.hpp"
 
 #include <fmt/format.h>
 
@@ -26,7 +26,8 @@ std::string_view unit_hint(const GeometryOptions& geometry)
     {
         return "";
     }
-    return formats::is_nifti(geometry.file) ? "; are the voxel sizes of the image right?" : "; is geometry.unit right?";
+    return formats::is_volume(geometry.file) ? "; are the voxel sizes of the image right?"
+                                             : "; is geometry.unit right?";
 }
 
 void require_white_matter(const PreparationOptions& options, const material::TissueFields& tissue)

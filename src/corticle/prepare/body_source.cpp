@@ -3,7 +3,7 @@
 
 #include "corticle/formats/surfaces/surface_reader.hpp"
 #include "corticle/formats/tets/tet_reader.hpp"
-#include "corticle/formats/volumes/nifti.hpp"
+#include "corticle/formats/volumes/volume_reader.hpp"
 #include "corticle/geometry/repair.hpp"
 #include "corticle/geometry/shapes.hpp"
 #include "corticle/geometry/validate_tets.hpp"
@@ -43,8 +43,7 @@ double rough_spacing(const GeometryOptions& options, const imaging::LabelVolume&
 void take_labels(const GeometryOptions& options, int coarsening, BodySource& source)
 {
     source.kind = "labels";
-    imaging::LabelVolume image = formats::read_nifti(options.file, {options.mask.volume, options.coordinates});
-    std::ranges::move(image.notes, std::back_inserter(source.notes));
+    const imaging::LabelVolume image = read_label_image(options.file, options.mask, options.coordinates, source.notes);
     imaging::ImagedSurface imaged = label_surface(image, settled_mask(options, image, coarsening), options.file);
     source.surface = std::move(imaged.surface);
     std::ranges::copy(imaging::describe(imaged.report), std::back_inserter(source.notes));
@@ -113,7 +112,7 @@ TriangleMesh shape_surface(const GeometryOptions& options, double edge_length)
 
 bool can_coarsen(const GeometryOptions& options)
 {
-    return options.shape == Shape::file && formats::is_nifti(options.file) &&
+    return options.shape == Shape::file && formats::is_volume(options.file) &&
            !(options.closing_mm && options.smoothing_mm);
 }
 
@@ -136,7 +135,7 @@ BodySource read_body_source(const GeometryOptions& options, int coarsening)
         source.area = ellipsoid_area(axes);
         return source;
     }
-    if (formats::is_nifti(options.file))
+    if (formats::is_volume(options.file))
     {
         take_labels(options, coarsening, source);
     }

@@ -2,7 +2,7 @@
 #include "corticle/prepare/fibres.hpp"
 
 #include "corticle/base/error.hpp"
-#include "corticle/formats/volumes/nifti_vectors.hpp"
+#include "corticle/formats/volumes/vector_volume.hpp"
 
 #include <fmt/format.h>
 
@@ -55,7 +55,7 @@ void set_fibre(const Vec3& vector, double& white_share, Vec3& fibre)
 /// Of the voxel that each place lies in; where it has no vector, or there is no voxel, there are no fibres.
 void set_fibres_of_file(const std::string& file, std::span<const Vec3> places, material::TissueFields& tissue)
 {
-    const formats::VectorVolume volume = formats::read_nifti_vectors(file);
+    const formats::VectorVolume volume = formats::read_vectors(file);
     const Mat3 to_index = inverse(volume.frame.linear);
     std::size_t found = 0;
     tissue.fibre.resize(places.size());

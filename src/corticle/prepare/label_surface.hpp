@@ -3,14 +3,22 @@
 
 #include "corticle/formats/coordinates.hpp"
 #include "corticle/imaging/surface_from_labels.hpp"
+#include "corticle/prepare/options.hpp"
 
 #include <filesystem>
 
 namespace corticle::prepare
 {
 
-/// The surface of the labels of a NIfTI file, for whatever reads one: prepare, run, measure and compare. `notes`
-/// receives a line for each field of the header that was not taken as it stands.
+/// The labels that the options name; those of a map of probabilities are 1 and 0. @throws InputError
+imaging::LabelVolume read_body_labels(const GeometryOptions& geometry);
+/// The same; `notes` receives size and orientation of the image, and a line for each field of the header that was not
+/// taken as it stands.
+imaging::LabelVolume read_label_image(const std::filesystem::path& file, const imaging::MaskOptions& mask,
+                                      formats::Coordinates coordinates, std::vector<std::string>& notes);
+
+/// The surface of the labels of an image, for whatever reads one: prepare, run, measure and compare. `notes` as
+/// for read_label_image.
 /// @throws InputError, one line naming the file
 imaging::ImagedSurface read_label_surface(const std::filesystem::path& file, const imaging::MaskOptions& mask,
                                           formats::Coordinates coordinates, std::vector<std::string>& notes);

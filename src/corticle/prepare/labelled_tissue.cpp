@@ -2,11 +2,11 @@
 #include "corticle/prepare/labelled_tissue.hpp"
 
 #include "corticle/base/error.hpp"
-#include "corticle/formats/volumes/nifti.hpp"
 #include "corticle/imaging/surface_from_labels.hpp"
 #include "corticle/material/layer.hpp"
 #include "corticle/prepare/body_source.hpp"
 #include "corticle/prepare/growth_table.hpp"
+#include "corticle/prepare/label_surface.hpp"
 
 #include <fmt/format.h>
 
@@ -73,8 +73,7 @@ imaging::TissueReader read_tissues(const PreparationOptions& options, std::vecto
     const GeometryOptions& geometry = options.geometry;
     try
     {
-        imaging::TissueReader reader(formats::read_nifti(geometry.file, {geometry.mask.volume, geometry.coordinates}),
-                                     options.labels, geometry.mask.labels, smoothing_mm);
+        imaging::TissueReader reader(read_body_labels(geometry), options.labels, geometry.mask.labels, smoothing_mm);
         if (!reader.note.empty())
         {
             notes.push_back(reader.note);
@@ -91,7 +90,7 @@ imaging::TissueReader read_tissues(const PreparationOptions& options, std::vecto
 TriangleMesh inner_surface(const PreparationOptions& options, std::vector<std::string>& notes)
 {
     const GeometryOptions& geometry = options.geometry;
-    imaging::LabelVolume image = formats::read_nifti(geometry.file, {geometry.mask.volume, geometry.coordinates});
+    imaging::LabelVolume image = read_body_labels(geometry);
     const auto holds = [](const std::vector<std::int64_t>& list, std::int32_t label)
     { return std::ranges::find(list, label) != list.end(); };
     imaging::MaskOptions mask = settled_mask(geometry, image);

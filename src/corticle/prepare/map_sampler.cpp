@@ -4,7 +4,7 @@
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
 #include "corticle/formats/surfaces/surface_map.hpp"
-#include "corticle/formats/volumes/nifti.hpp"
+#include "corticle/formats/volumes/volume_reader.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -97,7 +97,9 @@ void MapSampler::judge_numbers(const MapFile& map, std::span<const double> given
 
 std::vector<double> MapSampler::labels(const MapFile& map)
 {
-    return formats::is_nifti(map.file) ? in_volume(map) : labels_of_vertices(map);
+    const bool is_volume =
+        formats::is_volume(map.file) && !formats::is_vertex_image(map.file, std::ssize(surface_.vertices));
+    return is_volume ? in_volume(map) : labels_of_vertices(map);
 }
 
 std::vector<double> MapSampler::labels_of_vertices(const MapFile& map)
@@ -148,9 +150,10 @@ std::vector<double> MapSampler::at_vertices(const MapFile& map) const
 {
     if (surface_.vertices.empty())
     {
-        throw InputError(fmt::format("{} {}: gives numbers at the vertices of a surface, but the body is not made from "
-                                     "a surface file; expected a NIfTI label volume, or geometry.file = a surface",
-                                     map.key, map.file));
+        throw InputError(
+            fmt::format("{} {}: gives numbers at the vertices of a surface, but the body is not made from "
+                        "a surface file; expected a label volume (NIfTI, MGH), or geometry.file = a surface",
+                        map.key, map.file));
     }
     return formats::read_surface_map(map.file, map.array, std::ssize(surface_.vertices));
 }
@@ -174,7 +177,7 @@ void MapSampler::find_feet()
 /// The label of the voxel each point lies in; 0 outside the volume.
 std::vector<double> MapSampler::in_volume(const MapFile& map)
 {
-    const imaging::LabelVolume volume = formats::read_nifti(map.file);
+    const imaging::LabelVolume volume = formats::read_labels(map.file);
     for (const std::string& note : volume.notes)
     {
         notes.push_back(fmt::format("{}: {}", map.key, note));

@@ -6,6 +6,7 @@
 #include "corticle/cloud/fill.hpp"
 #include "corticle/cloud/from_tets.hpp"
 #include "corticle/geometry/tetrahedralize.hpp"
+#include "corticle/imaging/orientation.hpp"
 #include "corticle/material/imperfection.hpp"
 #include "corticle/mechanics/boundary/support_term.hpp"
 #include "corticle/prepare/body_checks.hpp"
@@ -296,6 +297,10 @@ Preparation arrange_body(const PreparationOptions& options)
     set_cloud(options, tissues ? &*tissues : nullptr, source, made);
     made.report.source = source.kind;
     std::ranges::move(source.notes, std::back_inserter(made.report.notes));
+    if (options.geometry.shape == Shape::file)
+    {
+        made.report.notes.push_back(imaging::describe_place(source.surface.vertices));
+    }
     made.report.warnings = std::move(source.warnings);
     made.report.inputs = std::move(source.reports);
     made.report.input_vertices = std::ssize(source.surface.vertices);
@@ -346,6 +351,8 @@ void connect_body(const PreparationOptions& options, Preparation& made)
     {
         connect_particles(options, mean, made);
     }
+    made.report.notes.push_back(fmt::format("largest depth {:.4g} mm below the surface, cortex {:.4g} mm thick",
+                                            std::ranges::max(model.tissue.depth), mean));
     if (has_labelled_cortex(options))
     {
         made.report.inputs.tissues = report_tissues(model);

@@ -3,10 +3,10 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/base/parallel.hpp"
-#include "corticle/formats/volumes/nifti.hpp"
 #include "corticle/imaging/marching_tetrahedra.hpp"
 #include "corticle/imaging/mask_cleanup.hpp"
 #include "corticle/imaging/smoothing.hpp"
+#include "corticle/prepare/label_surface.hpp"
 
 #include <fmt/format.h>
 
@@ -91,7 +91,7 @@ TriangleMesh labelled_surface(const PreparationOptions& options, double spacing)
 {
     const GeometryOptions& geometry = options.geometry;
     const auto& labels = options.labels[static_cast<std::size_t>(material::TissueKind::ventricle)];
-    const imaging::LabelVolume image = formats::read_nifti(geometry.file, {geometry.mask.volume, geometry.coordinates});
+    const imaging::LabelVolume image = read_body_labels(geometry);
     const double smoothing = 0.5 * spacing;
     const imaging::GridMask selected = imaging::select_labels(image, labels, 5.0 * smoothing);
     std::vector<float> values(selected.mask.begin(), selected.mask.end());

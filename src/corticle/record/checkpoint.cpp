@@ -3,14 +3,12 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/formats/atomic_file.hpp"
+#include "corticle/formats/checksum.hpp"
 #include "corticle/formats/format_error.hpp"
 #include "corticle/formats/text_scan.hpp"
 #include "corticle/record/checkpoint_image.hpp"
 
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <cstring>
 
 namespace corticle::record
 {
@@ -24,23 +22,9 @@ namespace
 constexpr std::size_t block_size = 512;
 constexpr std::string_view magic = "corticle checkpoint 1\n";
 
-/// 64 bits over all bytes, eight at a time: FNV-1a on words with a final avalanche.
-std::uint64_t checksum(std::string_view bytes)
-{
-    std::uint64_t hash = 0xcbf29ce484222325u ^ bytes.size();
-    for (std::size_t at = 0; at < bytes.size(); at += 8)
-    {
-        std::uint64_t word = 0;
-        std::memcpy(&word, bytes.data() + at, std::min<std::size_t>(8, bytes.size() - at));
-        hash = (hash ^ word) * 0x100000001b3u;
-        hash ^= hash >> 32;
-    }
-    return hash * 0x9e3779b97f4a7c15u;
-}
-
 std::string user_block(std::string_view image)
 {
-    std::string block = fmt::format("{}{} bytes\n{:016x} checksum\n", magic, image.size(), checksum(image));
+    std::string block = fmt::format("{}{} bytes\n{:016x} checksum\n", magic, image.size(), formats::checksum(image));
     block.resize(block_size, '\n');
     return block;
 }

@@ -35,9 +35,9 @@ Plan plan(const config::Options& options, int threads)
     result.memory_mb =
         prepare::estimated_memory(options.method, static_cast<double>(result.particles), result.neighbors_mean) / 1e6;
     std::string notes;
-    if (made.report.inputs.tissues)
+    for (const std::string& note : made.report.notes)
     {
-        notes += prepare::describe(*made.report.inputs.tissues) + "\n";
+        notes += note + "\n";
     }
     for (const std::string& warning : made.report.warnings)
     {

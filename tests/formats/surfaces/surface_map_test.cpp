@@ -119,7 +119,7 @@ TEST(SurfaceMap, RefusesWrongLengthsAndWhatIsNoNumber)
     EXPECT_THAT(refusal("txt", "1\n2\nnan\n4\n"), HasSubstr("the value of vertex 2 is not finite"));
     EXPECT_THAT(refusal("gii", gifti_scalars({"Base64Binary"}, {1, 2, 3, std::nan("")}), "depth"),
                 HasSubstr("vertex 3 is not finite"));
-    EXPECT_THAT(refusal("mgh", "abc"), HasSubstr("unknown kind of surface map; got .mgh"));
+    EXPECT_THAT(refusal("xyz", "abc"), HasSubstr("unknown kind of surface map; got .xyz"));
     EXPECT_THAT(refusal("", ""), HasSubstr("no extension"));
 }
 

@@ -135,7 +135,7 @@ TEST(SurfaceReader, RefusesWithOneLine)
                 HasSubstr("none.stl: cannot be opened"));
     put_bytes(folder / "points.xyz", "0 0 0");
     EXPECT_THAT(message_of<InputError>([&] { formats::read_surface(folder / "points.xyz"); }),
-                HasSubstr("got .xyz; expected .stl, .obj, .ply, .off, .vtp, .gii or a FreeSurfer surface"));
+                HasSubstr("got .xyz; expected .stl, .obj, .ply, .off, .vtp, .vtk, .gii, .asc or a FreeSurfer"));
     std::filesystem::create_directory(folder / "folder.stl");
     EXPECT_THAT(message_of<InputError>([&] { formats::read_surface(folder / "folder.stl"); }),
                 HasSubstr("a directory"));
@@ -225,6 +225,23 @@ TEST(SurfaceReader, ReadsVariantsOfOffAndPly)
         "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n8 0 1 2 3 -1 2 3 4\n",
         "ply", "body");
     EXPECT_EQ(strips.triangles, (std::vector<Triangle>{{0, 1, 2}, {2, 1, 3}, {2, 3, 4}}));
+}
+
+TEST(SurfaceReader, ReadsStripsOfVtp)
+{
+    const std::string vtp =
+        "<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\"><PolyData><Piece NumberOfPoints=\"5\" "
+        "NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"1\" NumberOfPolys=\"1\"><Points><DataArray "
+        "type=\"Float32\" NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0 0 1 0 1 1 0 0 2 1</DataArray></Points>"
+        "<Strips><DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">0 1 2 3 4</DataArray><DataArray "
+        "type=\"Int64\" Name=\"offsets\" format=\"ascii\">5</DataArray></Strips><Polys><DataArray type=\"Int64\" "
+        "Name=\"connectivity\" format=\"ascii\">0 2 4</DataArray><DataArray type=\"Int64\" Name=\"offsets\" "
+        "format=\"ascii\">3</DataArray></Polys></Piece></PolyData></VTKFile>";
+    EXPECT_EQ(formats::parse_surface(vtp, "vtp", "strips.vtp").triangles,
+              (std::vector<Triangle>{{0, 2, 4}, {0, 1, 2}, {2, 1, 3}, {2, 3, 4}}));
+    std::string bad = vtp;
+    bad.replace(bad.find("0 1 2 3 4"), 9, "0 1 2 3 9");
+    EXPECT_THROW(formats::parse_surface(bad, "vtp", "strips.vtp"), InputError);
 }
 
 } // namespace corticle

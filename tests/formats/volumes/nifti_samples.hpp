@@ -4,6 +4,7 @@
 #include "corticle/formats/volumes/nifti_header.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <string>
 #include <vector>
 
@@ -76,7 +77,7 @@ class NiftiSample
     }
 
     template <class Number, class Value>
-    NiftiSample& data(formats::NiftiType type, const std::vector<Value>& values)
+    NiftiSample& data(formats::NumberType type, const std::vector<Value>& values)
     {
         put(layout_.datatype, static_cast<std::int16_t>(type));
         data_.clear();
@@ -127,7 +128,7 @@ inline std::vector<std::int32_t> sample_labels()
 inline NiftiSample plain_sample(bool wide = false, bool swapped = false)
 {
     NiftiSample sample(wide, swapped);
-    sample.dimensions({4, 3, 2}).data<std::uint8_t>(formats::NiftiType::uint8, sample_labels());
+    sample.dimensions({4, 3, 2}).data<std::uint8_t>(formats::NumberType::uint8, sample_labels());
     return sample;
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corticle/formats/volumes/nifti.hpp"
+#include "corticle/formats/volumes/nifti_write.hpp"
 
 #include "corticle/base/error.hpp"
+#include "corticle/formats/volumes/volume_reader.hpp"
 #include "corticle/imaging/surface_from_labels.hpp"
 #include "corticle/mesh/triangle_mesh.hpp"
 #include "formats/temporary_folder.hpp"
@@ -23,18 +24,18 @@ namespace
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using enum formats::NiftiType;
+using enum formats::NumberType;
 
 imaging::LabelVolume parse(const NiftiSample& sample, std::optional<std::int64_t> volume = {})
 {
-    return formats::parse_nifti(sample.bytes(), "a.nii", {volume, formats::Coordinates::scanner});
+    return formats::parse_labels({sample.bytes(), {}}, "a.nii", {volume, formats::Coordinates::scanner, {}});
 }
 
 std::string refusal(const std::string& bytes, std::optional<std::int64_t> volume = {})
 {
     const std::string message = message_of<InputError>(
         [&] {
-            formats::parse_nifti(bytes, "a.nii", {volume, formats::Coordinates::scanner});
+            formats::parse_labels({bytes, {}}, "a.nii", {volume, formats::Coordinates::scanner, {}});
         });
     EXPECT_EQ(message.find('\n'), std::string::npos);
     EXPECT_THAT(message, HasSubstr("a.nii: "));
@@ -76,7 +77,7 @@ TEST(Nifti, ReadsEveryTypeVersionAndByteOrder)
                 EXPECT_EQ(image.size, (std::array<std::int64_t, 3>{4, 3, 2}));
                 EXPECT_EQ(image.labels, labels);
                 expect_near(image.frame, oblique_frame(true), 1e-5);
-                EXPECT_EQ(formats::parse_nifti(formats::gzip(typed.bytes()), "a.nii.gz").labels, labels);
+                EXPECT_EQ(formats::parse_labels({formats::gzip(typed.bytes()), {}}, "a.nii.gz").labels, labels);
             };
             expect_labels(sample.data<std::uint8_t>(uint8, labels));
             expect_labels(sample.data<std::int8_t>(int8, labels));
@@ -178,7 +179,7 @@ TEST(Nifti, RefusesBadHeaders)
     EXPECT_THAT(refusal(plain_sample().bytes().substr(0, 200)), HasSubstr("truncated in its header; got 200 bytes"));
     NiftiSample pair = plain_sample();
     pair.put(at.magic + 1, 'i');
-    EXPECT_THAT(refusal(pair), HasSubstr("a pair of header and image files; got ni1"));
+    EXPECT_THAT(refusal(pair), HasSubstr("the header of a pair; got no image (.img) beside it"));
     pair.put(at.magic + 1, '?');
     EXPECT_THAT(refusal(pair), HasSubstr("wrong magic"));
     EXPECT_THAT(refusal(plain_sample().dimensions({4, 3})), HasSubstr("not a volume; got 2 dimensions"));
@@ -228,7 +229,7 @@ TEST(Nifti, WritesWhatItReads)
             for (const auto* name : {"a.nii", "a.nii.gz"})
             {
                 formats::write_nifti(folder / name, image);
-                const imaging::LabelVolume back = formats::read_nifti(folder / name);
+                const imaging::LabelVolume back = formats::read_labels(folder / name);
                 EXPECT_EQ(back.size, image.size);
                 EXPECT_EQ(back.labels, image.labels);
                 expect_near(back.frame, image.frame, 1e-5); // the file has single precision
@@ -236,7 +237,7 @@ TEST(Nifti, WritesWhatItReads)
             // The rotation alone describes the same frame.
             std::string bytes = bytes_of(folder / "a.nii");
             bytes.replace(formats::nifti1_layout.sform_code, 2, 2, '\0');
-            expect_near(formats::parse_nifti(bytes, "a.nii").frame, image.frame, 1e-5);
+            expect_near(formats::parse_labels({bytes, {}}, "a.nii").frame, image.frame, 1e-5);
         }
     }
     EXPECT_EQ(bytes_of(folder / "a.nii.gz").substr(0, 2), "\x1f\x8b");
@@ -257,7 +258,7 @@ TEST(Nifti, EllipsoidKeepsItsVolumeThroughAFile)
         .sform(image.frame)
         .data<double>(float64, image.labels);
     const imaging::ImagedSurface result =
-        imaging::surface_from_labels(formats::parse_nifti(formats::gzip(sample.bytes()), "a.nii.gz"), {{4}, {}});
+        imaging::surface_from_labels(formats::parse_labels({formats::gzip(sample.bytes()), {}}, "a.nii.gz"), {{4}, {}});
     const double exact = 4.0 / 3.0 * std::numbers::pi * semi_axes.x * semi_axes.y * semi_axes.z;
     EXPECT_NEAR(result.report.surface_volume_mm3 / exact, 1.0, 0.01);
     Vec3 low = result.surface.vertices[0];
@@ -313,7 +314,8 @@ TEST(Nifti, SaysWhichUnitItTookAndCanLeaveItAlone)
     EXPECT_THAT(parse(sample).notes, ElementsAre(HasSubstr("xyzt_units of the header says metres")));
     sample.sform({Mat3::identity(), {}});
     EXPECT_THAT(refusal(sample), HasSubstr("got 1000 mm (xyzt_units says metres)"));
-    const imaging::LabelVolume image = formats::parse_nifti(sample.bytes(), "a.nii", {{}, formats::Coordinates::file});
+    const imaging::LabelVolume image =
+        formats::parse_labels({sample.bytes(), {}}, "a.nii", {{}, formats::Coordinates::file, {}});
     expect_near(image.frame, {}, 1e-12);
     EXPECT_THAT(image.notes, ElementsAre(HasSubstr("taken as millimetres, since coordinates = file")));
 }
@@ -334,11 +336,11 @@ TEST(Nifti, IsKnownByItsNameInEitherCase)
 {
     for (const char* name : {"a.nii", "a.NII", "a.nii.gz", "B.NII.GZ", "a.Img", "a.HDR"})
     {
-        EXPECT_TRUE(formats::is_nifti(name)) << name;
+        EXPECT_TRUE(formats::is_volume(name)) << name;
     }
     for (const char* name : {"a.gz", "nii", "a.nii.txt", "a.gii.gz"})
     {
-        EXPECT_FALSE(formats::is_nifti(name)) << name;
+        EXPECT_FALSE(formats::is_volume(name)) << name;
     }
 }
 

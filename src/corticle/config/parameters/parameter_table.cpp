@@ -52,6 +52,11 @@ std::vector<Parameter> geometry_parameters()
                   CORTICLE_MEMBER(geometry.mask.labels)),
         parameter("geometry.image_volume", "", at_least(0.0), "Which volume of a 4D image, counted from 0.",
                   CORTICLE_MEMBER(geometry.mask.volume)),
+        with_example(parameter("geometry.threshold", "", between(-1e9, 1e9),
+                               "Of a map of probabilities in place of labels: the body is where it is at least this; "
+                               "not given: the image has labels.",
+                               CORTICLE_MEMBER(geometry.mask.threshold)),
+                     "0.5"),
         with_example(parameter("geometry.closing_mm", "mm", between(0.0, 20.0),
                                "Radius by which the mask of the labels is closed; not given: 0, or as little as the "
                                "spacing needs.",

@@ -39,6 +39,9 @@ class SurfaceBuilder
     /// Fans a polygon of vertex indices from 0 into triangles. @throws InputError for fewer than three corners or a
     /// negative index.
     void add_polygon(std::span<const std::int64_t> corners);
+    /// A strip of triangles: every vertex makes one with the two before it, of changing sense. @throws InputError as
+    /// above
+    void add_strip(std::span<const std::int64_t> vertices);
     /// @throws InputError for no triangle or an index that names no vertex.
     TriangleMesh finish();
 
@@ -55,6 +58,8 @@ void parse_ply(std::string_view bytes, SurfaceBuilder& surface);
 void parse_off(std::string_view bytes, SurfaceBuilder& surface);
 void parse_vtp(std::string_view bytes, SurfaceBuilder& surface);
 void parse_gifti_surface(std::string_view bytes, SurfaceBuilder& surface);
+void parse_legacy_vtk_surface(std::string_view bytes, SurfaceBuilder& surface);
 void parse_freesurfer_surface(std::string_view bytes, SurfaceBuilder& surface);
+void parse_freesurfer_text(std::string_view bytes, SurfaceBuilder& surface);
 
 } // namespace corticle::formats

@@ -3,9 +3,12 @@
 
 #include "corticle/formats/format_error.hpp"
 #include "corticle/formats/gifti.hpp"
+#include "corticle/formats/plain_file.hpp"
 #include "corticle/formats/surfaces/freesurfer.hpp"
+#include "corticle/formats/surfaces/freesurfer_labels.hpp"
 #include "corticle/formats/text_scan.hpp"
 #include "corticle/formats/text_table.hpp"
+#include "corticle/formats/volumes/volume_numbers.hpp"
 #include "corticle/formats/vtk_xml.hpp"
 
 #include <fmt/format.h>
@@ -164,6 +167,47 @@ std::vector<double> from_text(std::string_view bytes, const Request& request)
     return values;
 }
 
+/// One voxel a vertex, in one of the volumes.
+std::vector<double> from_image(const VolumeBytes& bytes, const Request& request)
+{
+    VolumeNumbers numbers(bytes, request.name, Coordinates::scanner);
+    const VolumeHeader& header = numbers.header();
+    const auto voxels = static_cast<std::int64_t>(header.voxels());
+    if (voxels != request.vertex_count)
+    {
+        fail_length(request, voxels);
+    }
+    std::int64_t volume = 0;
+    const bool is_chosen = header.volumes == 1 && request.array.empty();
+    if (!is_chosen && (!to_number(request.array, volume) || volume < 0 || volume >= header.volumes))
+    {
+        fail_reading(request.name, request.array.empty() ? "which array is not said" : "no such array",
+                     request.array.empty() ? fmt::format("{} maps", header.volumes) : request.array,
+                     fmt::format("0 to {}", header.volumes - 1));
+    }
+    std::vector<double> values;
+    numbers.read(volume, 1,
+                 [&](std::span<const double> piece, std::size_t)
+                 { values.insert(values.end(), piece.begin(), piece.end()); });
+    return values;
+}
+
+/// Refuses another number of values than vertices, and values that are not finite.
+std::vector<double> checked(std::vector<double> values, const Request& request)
+{
+    if (std::ssize(values) != request.vertex_count)
+    {
+        fail_length(request, std::ssize(values));
+    }
+    const auto bad = std::ranges::find_if(values, [](double value) { return !std::isfinite(value); });
+    if (bad != values.end())
+    {
+        fail_reading(request.name, fmt::format("the value of vertex {} is not finite", bad - values.begin()),
+                     fmt::format("{}", *bad), "a number for each vertex");
+    }
+    return values;
+}
+
 } // namespace
 
 std::vector<double> parse_surface_map(std::string_view bytes, const std::string& extension, const std::string& name,
@@ -183,6 +227,22 @@ std::vector<double> parse_surface_map(std::string_view bytes, const std::string&
     {
         values = from_text(bytes, request);
     }
+    else if (extension == "annot")
+    {
+        values = parse_annotation(bytes, name);
+    }
+    else if (extension == "label")
+    {
+        values = parse_freesurfer_label(bytes, name, vertex_count);
+    }
+    else if (extension == "asc")
+    {
+        values = parse_freesurfer_text_scalars(bytes, name);
+    }
+    else if (is_volume("a." + extension))
+    {
+        values = from_image({bytes, {}}, request);
+    }
     else if (is_freesurfer_scalars(bytes))
     {
         values = parse_freesurfer_scalars(bytes, name);
@@ -190,25 +250,34 @@ std::vector<double> parse_surface_map(std::string_view bytes, const std::string&
     else
     {
         fail_reading(name, "unknown kind of surface map", extension.empty() ? "no extension" : "." + extension,
-                     ".gii, .vtp, .csv, .txt or a FreeSurfer curv file");
+                     ".gii, .vtp, .csv, .txt, .mgh, .mgz, .annot, .label, .asc or a FreeSurfer curv file");
     }
-    if (std::ssize(values) != vertex_count)
-    {
-        fail_length(request, std::ssize(values));
-    }
-    const auto bad = std::ranges::find_if(values, [](double value) { return !std::isfinite(value); });
-    if (bad != values.end())
-    {
-        fail_reading(name, fmt::format("the value of vertex {} is not finite", bad - values.begin()),
-                     fmt::format("{}", *bad), "a number for each vertex");
-    }
-    return values;
+    return checked(std::move(values), request);
 }
 
 std::vector<double> read_surface_map(const std::filesystem::path& file, const std::string& array,
                                      std::int64_t vertex_count)
 {
-    return parse_surface_map(read_whole_file(file), lower_case_extension(file), file.string(), array, vertex_count);
+    const std::string name = file.string();
+    if (is_volume(file))
+    {
+        const VolumeFile image(file);
+        const Request request{name, array, vertex_count};
+        return checked(from_image(image.bytes(), request), request);
+    }
+    const PlainFile plain = read_plain_file(file);
+    return parse_surface_map(plain.bytes, plain.extension, name, array, vertex_count);
+}
+
+bool is_vertex_image(const std::filesystem::path& file, std::int64_t vertex_count)
+{
+    if (!is_volume(file) || vertex_count == 0)
+    {
+        return false;
+    }
+    const VolumeFile image(file);
+    const VolumeHeader header = VolumeNumbers(image.bytes(), file.string(), Coordinates::scanner).header();
+    return static_cast<std::int64_t>(header.voxels()) == vertex_count && header.size[1] == 1;
 }
 
 } // namespace corticle::formats

@@ -127,22 +127,15 @@ void take_record(const PlyElement& element, Numbers& numbers, std::vector<double
     }
 }
 
-/// Strips of triangles, each ended by -1: every vertex makes one with the two before it, of changing sense.
+/// Strips of triangles, each ended by -1.
 void add_strips(std::span<const std::int64_t> vertices, SurfaceBuilder& surface)
 {
-    std::size_t begin = 0;
-    for (std::size_t i = 0; i < vertices.size(); ++i)
+    while (!vertices.empty())
     {
-        if (vertices[i] < 0)
-        {
-            begin = i + 1;
-        }
-        else if (i >= begin + 2)
-        {
-            const bool is_even = (i - begin) % 2 == 0;
-            surface.add_polygon(
-                std::array{vertices[i - (is_even ? 2 : 1)], vertices[i - (is_even ? 1 : 2)], vertices[i]});
-        }
+        const auto end = std::ranges::find_if(vertices, [](std::int64_t vertex) { return vertex < 0; });
+        const auto length = static_cast<std::size_t>(end - vertices.begin());
+        surface.add_strip(vertices.first(length));
+        vertices = vertices.subspan(std::min(length + 1, vertices.size()));
     }
 }
 

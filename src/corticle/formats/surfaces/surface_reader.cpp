@@ -3,6 +3,7 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/formats/format_error.hpp"
+#include "corticle/formats/plain_file.hpp"
 #include "corticle/formats/surfaces/freesurfer.hpp"
 #include "corticle/formats/surfaces/surface_formats.hpp"
 #include "corticle/formats/text_scan.hpp"
@@ -22,12 +23,14 @@ namespace
 
 using Parser = void (*)(std::string_view, SurfaceBuilder&);
 
-constexpr std::array<std::pair<std::string_view, Parser>, 6> parsers{{{"stl", parse_stl},
+constexpr std::array<std::pair<std::string_view, Parser>, 8> parsers{{{"stl", parse_stl},
                                                                       {"obj", parse_obj},
                                                                       {"ply", parse_ply},
                                                                       {"off", parse_off},
                                                                       {"vtp", parse_vtp},
-                                                                      {"gii", parse_gifti_surface}}};
+                                                                      {"gii", parse_gifti_surface},
+                                                                      {"vtk", parse_legacy_vtk_surface},
+                                                                      {"asc", parse_freesurfer_text}}};
 
 /// By extension; FreeSurfer's files have none of their own and are recognised by their first bytes.
 Parser parser_for(std::string_view bytes, const std::string& extension, const std::string& name)
@@ -45,7 +48,8 @@ Parser parser_for(std::string_view bytes, const std::string& extension, const st
     }
     fail_reading(
         name, "unknown kind of surface file", extension.empty() ? "no extension" : "." + extension,
-        ".stl, .obj, .ply, .off, .vtp, .gii or a FreeSurfer surface (labels: .nii, .nii.gz; tets: .msh, .mesh, .vtu)");
+        ".stl, .obj, .ply, .off, .vtp, .vtk, .gii, .asc or a FreeSurfer surface (labels: .nii, .nii.gz, .hdr and .img, "
+        ".mgz; tets: .msh, .mesh, .vtu, .vtk)");
 }
 
 TriangleMesh parse_unmerged(std::string_view bytes, const std::string& extension, const std::string& name,
@@ -136,6 +140,15 @@ void SurfaceBuilder::add_polygon(std::span<const std::int64_t> corners)
     }
 }
 
+void SurfaceBuilder::add_strip(std::span<const std::int64_t> vertices)
+{
+    for (std::size_t i = 2; i < vertices.size(); ++i)
+    {
+        const bool is_even = i % 2 == 0;
+        add_polygon(std::array{vertices[i - (is_even ? 2 : 1)], vertices[i - (is_even ? 1 : 2)], vertices[i]});
+    }
+}
+
 TriangleMesh SurfaceBuilder::finish()
 {
     if (mesh_.triangles.empty())
@@ -166,7 +179,8 @@ TriangleMesh parse_surface(std::string_view bytes, const std::string& extension,
 TriangleMesh read_surface_unmerged(const std::filesystem::path& file, const SurfaceFileOptions& options)
 {
     const std::string name = file.string();
-    TriangleMesh surface = parse_unmerged(read_whole_file(file), lower_case_extension(file), name, options);
+    const PlainFile plain = read_plain_file(file);
+    TriangleMesh surface = parse_unmerged(plain.bytes, plain.extension, name, options);
     for (Vec3& vertex : surface.vertices)
     {
         vertex *= options.scale;

@@ -34,25 +34,28 @@ void add_points(const VtkXmlFile& file, const VtkXmlPiece& piece, SurfaceBuilder
     }
 }
 
-void add_polygons(const VtkXmlFile& file, const VtkXmlPiece& piece, std::int64_t first, SurfaceBuilder& surface)
+/// Cells of one section, "Polys" or "Strips"; `add` receives the corners of each.
+template <class Add>
+void add_cells(const VtkXmlFile& file, const VtkXmlPiece& piece, std::string_view section, std::int64_t first,
+               SurfaceBuilder& surface, Add add)
 {
-    const std::int64_t count = piece.count("NumberOfPolys");
+    const std::int64_t count = piece.count(fmt::format("NumberOf{}", section));
     if (count == 0)
     {
         return;
     }
-    const std::vector<std::int64_t> offsets = file.integers(file.required(piece, "Polys", "offsets"), count);
+    const std::vector<std::int64_t> offsets = file.integers(file.required(piece, section, "offsets"), count);
     std::int64_t begin = 0;
     for (const std::int64_t end : offsets)
     {
         if (end < begin)
         {
-            fail_reading(file.file(), "the offsets of the polygons decrease", fmt::format("{} after {}", end, begin),
-                         "growing offsets");
+            fail_reading(file.file(), fmt::format("the offsets of {} decrease", section),
+                         fmt::format("{} after {}", end, begin), "growing offsets");
         }
         begin = end;
     }
-    std::vector<std::int64_t> corners = file.integers(file.required(piece, "Polys", "connectivity"), offsets.back());
+    std::vector<std::int64_t> corners = file.integers(file.required(piece, section, "connectivity"), offsets.back());
     for (std::int64_t& corner : corners)
     {
         // An index that names no point of its piece must not name one of another.
@@ -61,8 +64,7 @@ void add_polygons(const VtkXmlFile& file, const VtkXmlPiece& piece, std::int64_t
     begin = 0;
     for (const std::int64_t end : offsets)
     {
-        surface.add_polygon(
-            std::span(corners).subspan(static_cast<std::size_t>(begin), static_cast<std::size_t>(end - begin)));
+        add(std::span(corners).subspan(static_cast<std::size_t>(begin), static_cast<std::size_t>(end - begin)));
         begin = end;
     }
 }
@@ -74,14 +76,12 @@ void parse_vtp(std::string_view bytes, SurfaceBuilder& surface)
     const VtkXmlFile file(bytes, "PolyData", surface.file(), largest_growth);
     for (const VtkXmlPiece& piece : file.pieces())
     {
-        if (piece.count("NumberOfStrips") > 0)
-        {
-            fail_reading(file.file(), "triangle strips are not read",
-                         fmt::format("{} strips", piece.count("NumberOfStrips")), "polygons");
-        }
         const std::int64_t first = surface.vertex_count();
         add_points(file, piece, surface);
-        add_polygons(file, piece, first, surface);
+        add_cells(file, piece, "Polys", first, surface,
+                  [&](std::span<const std::int64_t> corners) { surface.add_polygon(corners); });
+        add_cells(file, piece, "Strips", first, surface,
+                  [&](std::span<const std::int64_t> corners) { surface.add_strip(corners); });
     }
 }
 

@@ -43,5 +43,9 @@ void parse_gmsh(std::string_view bytes, TetBuilder& mesh);
 void parse_netgen(std::string_view text, TetBuilder& mesh);
 void parse_medit(std::string_view text, TetBuilder& mesh);
 void parse_vtu(std::string_view bytes, TetBuilder& mesh);
+void parse_legacy_vtk_tets(std::string_view bytes, TetBuilder& mesh);
+
+/// A legacy VTK file may hold tets or a surface. @throws InputError for what is no such file
+bool has_legacy_vtk_tets(std::string_view bytes, const std::string& name);
 
 } // namespace corticle::formats

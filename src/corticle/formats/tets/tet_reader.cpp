@@ -2,6 +2,7 @@
 #include "corticle/formats/tets/tet_reader.hpp"
 
 #include "corticle/formats/format_error.hpp"
+#include "corticle/formats/plain_file.hpp"
 #include "corticle/formats/tets/tet_formats.hpp"
 #include "corticle/formats/text_scan.hpp"
 
@@ -133,9 +134,9 @@ TetMesh TetBuilder::finish(std::vector<std::string>* notes)
 
 bool is_tet_file(const std::filesystem::path& file)
 {
-    const std::string extension = file.extension().string();
-    return equals_ignoring_case(extension, ".msh") || equals_ignoring_case(extension, ".mesh") ||
-           equals_ignoring_case(extension, ".vtu");
+    const std::string extension = plain_extension(file);
+    return extension == "msh" || extension == "mesh" || extension == "vtu" ||
+           (extension == "vtk" && has_legacy_vtk_tets(read_plain_file(file).bytes, file.string()));
 }
 
 TetMesh parse_tets(std::string_view bytes, const std::string& name, std::vector<std::string>* notes)
@@ -143,6 +144,12 @@ TetMesh parse_tets(std::string_view bytes, const std::string& name, std::vector<
     bytes = without_byte_order_mark(bytes);
     std::string_view rest = bytes;
     std::string_view first = take_word(rest);
+    if (bytes.starts_with("# vtk"))
+    {
+        TetBuilder mesh(name);
+        parse_legacy_vtk_tets(bytes, mesh);
+        return mesh.finish(notes);
+    }
     while (!first.empty() && first.front() == '#')
     {
         take_line(rest, first);
@@ -169,7 +176,7 @@ TetMesh parse_tets(std::string_view bytes, const std::string& name, std::vector<
     else
     {
         fail_reading(name, "unknown kind of tet mesh", first.empty() ? "an empty file" : first,
-                     "Gmsh .msh, VTK .vtu, Netgen neutral or Medit .mesh");
+                     "Gmsh .msh, VTK .vtu or .vtk, Netgen neutral or Medit .mesh");
     }
     return mesh.finish(notes);
 }
@@ -177,7 +184,7 @@ TetMesh parse_tets(std::string_view bytes, const std::string& name, std::vector<
 TetMesh read_tets(const std::filesystem::path& file, double scale, std::vector<std::string>* notes)
 {
     const std::string name = file.string();
-    TetMesh mesh = parse_tets(read_whole_file(file), name, notes);
+    TetMesh mesh = parse_tets(read_plain_file(file).bytes, name, notes);
     for (Vec3& vertex : mesh.vertices)
     {
         vertex *= scale;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corticle/formats/format_error.hpp"
+#include "corticle/formats/surfaces/legacy_vtk.hpp"
 #include "corticle/formats/tets/tet_formats.hpp"
 #include "corticle/formats/vtk_xml.hpp"
 
@@ -113,6 +114,25 @@ void parse_vtu(std::string_view bytes, TetBuilder& mesh)
         add_points(file, piece, mesh);
         add_cells(file, piece, first, mesh);
     }
+}
+
+void parse_legacy_vtk_tets(std::string_view bytes, TetBuilder& mesh)
+{
+    const LegacyVtkFile file = parse_legacy_vtk(bytes, mesh.file());
+    for (const Vec3& point : file.points)
+    {
+        mesh.add_node(mesh.node_count(), point);
+    }
+    for (std::size_t k = 0; k < file.cells.count(); ++k)
+    {
+        add_cell(file.types[k], file.cells[k], mesh);
+    }
+}
+
+bool has_legacy_vtk_tets(std::string_view bytes, const std::string& name)
+{
+    const LegacyVtkFile file = parse_legacy_vtk(bytes, name);
+    return std::ranges::any_of(file.types, [](std::int64_t type) { return is_among(tet_types, type); });
 }
 
 } // namespace corticle::formats

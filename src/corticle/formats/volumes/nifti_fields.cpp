@@ -8,13 +8,14 @@
 namespace corticle::formats
 {
 
-NiftiFields::NiftiFields(InflatingStream& stream, const std::string& name) : name_(name)
+NiftiFields::NiftiFields(std::string_view start, InflatingStream& stream, const std::string& name) : name_(name)
 {
-    const std::size_t there = stream.read(bytes_.data(), 4);
-    if (there < 4 || !find_layout())
+    start.copy(bytes_.data(), 4);
+    if (start.size() < 4 || !find_layout())
     {
-        fail_reading(name, "not a NIfTI file", there < 4 ? fmt::format("{} bytes", there) : first_bytes(),
-                     "a header of 348 (NIfTI-1) or 540 bytes (NIfTI-2)");
+        fail_reading(name, "not a NIfTI or MGH file",
+                     start.size() < 4 ? fmt::format("{} bytes", start.size()) : first_bytes(),
+                     "a header of 348 (NIfTI-1), 540 (NIfTI-2) or 284 bytes (MGH)");
     }
     const std::size_t rest = stream.read(bytes_.data() + 4, layout_.size - 4);
     if (rest < layout_.size - 4)
@@ -52,17 +53,21 @@ std::string NiftiFields::first_bytes() const
 
 void NiftiFields::require_magic() const
 {
+    using namespace std::string_view_literals;
     const std::string_view magic(bytes_.data() + layout_.magic, layout_.wide ? 8 : 4);
-    const std::string_view single =
-        layout_.wide ? std::string_view("n+2\0\r\n\032\n", 8) : std::string_view("n+1\0", 4);
-    if (magic.substr(0, 3) == "ni1" || magic.substr(0, 3) == "ni2")
+    const std::string_view single = layout_.wide ? "n+2\0\r\n\032\n"sv : "n+1\0"sv;
+    const std::string_view pair = layout_.wide ? "ni2\0\r\n\032\n"sv : "ni1\0"sv;
+    if (magic == single || magic == pair)
     {
-        fail_reading(name_, "a pair of header and image files", magic.substr(0, 3), "a single .nii or .nii.gz file");
+        return;
     }
-    if (magic != single)
+    constexpr std::size_t regular = 38; // where ANALYZE 7.5 has an 'r', or nothing; it has no magic
+    if (!layout_.wide && (magic == "\0\0\0\0"sv || (bytes_[regular] == 'r' && magic.front() != 'n')))
     {
-        fail_reading(name_, "wrong magic", fmt::format("\"{}\"", magic), layout_.wide ? "n+2" : "n+1");
+        fail_reading(name_, "an ANALYZE 7.5 header, which does not say where left and right are", "no NIfTI magic",
+                     "NIfTI or MGH");
     }
+    fail_reading(name_, "wrong magic", fmt::format("\"{}\"", magic), layout_.wide ? "n+2 or ni2" : "n+1 or ni1");
 }
 
 } // namespace corticle::formats

@@ -10,12 +10,15 @@ namespace corticle::formats
 class NiftiFields
 {
   public:
+    /// @param start  the first four bytes, taken off the stream already
     /// @throws InputError for what is not a header of NIfTI-1 or -2, or a truncated one
-    NiftiFields(InflatingStream& stream, const std::string& name);
+    NiftiFields(std::string_view start, InflatingStream& stream, const std::string& name);
 
     const std::string& file() const { return name_; }
     const NiftiLayout& layout() const { return layout_; }
     bool swapped() const { return swapped_; }
+    /// Is this the header of a pair, .hdr and .img?
+    bool is_pair() const { return bytes_[layout_.magic + 1] == 'i'; }
 
     /// Element k of an integer field; 64 bits in NIfTI-2 where `wide`.
     std::int64_t integer(std::size_t offset, std::size_t k = 0) const

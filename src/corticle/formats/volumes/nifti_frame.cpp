@@ -13,9 +13,6 @@ namespace corticle::formats
 namespace
 {
 
-constexpr double smallest_voxel = 0.01; // [mm]
-constexpr double largest_voxel = 20.0;  // [mm]
-
 using Notes = std::vector<std::string>;
 
 /// Sizes of a voxel: nifti1.h knows no negative ones (the flip of the third axis is pixdim[0]); nibabel, too, takes
@@ -157,35 +154,6 @@ NamedFrame chosen_frame(const NiftiFields& fields, const std::array<std::int64_t
                           : NamedFrame{pixdim_frame(fields, size, notes), "pixdim"};
 }
 
-void require_frame(const NiftiFields& fields, const NamedFrame& named, const std::string& unit)
-{
-    const imaging::VoxelFrame& frame = named.frame;
-    const Vec3 edges = imaging::voxel_edges(frame);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-        if (!(edges[axis] >= smallest_voxel && edges[axis] <= largest_voxel))
-        {
-            fail_reading(fields.file(), fmt::format("{}: absurd voxel size along axis {}", named.field, axis + 1),
-                         fmt::format("{:.6g} mm{}", edges[axis], unit),
-                         fmt::format("{:g} to {:g} mm", smallest_voxel, largest_voxel));
-        }
-    }
-    constexpr double flattest = 1e-3; // volume of a voxel over that of one with right angles
-    const double volume = std::abs(determinant(frame.linear));
-    if (!(volume >= flattest * edges.x * edges.y * edges.z))
-    {
-        fail_reading(fields.file(), named.field + ": singular affine", fmt::format("voxels of {:.6g} mm³", volume),
-                     "three edges that do not lie in a plane");
-    }
-    constexpr double farthest = 1e7; // [mm]
-    if (!(norm(frame.origin) <= farthest))
-    {
-        fail_reading(fields.file(), named.field + ": absurd place of the first voxel",
-                     fmt::format("({:.6g}, {:.6g}, {:.6g}) mm{}", frame.origin.x, frame.origin.y, frame.origin.z, unit),
-                     "less than 10 km away");
-    }
-}
-
 /// Millimetres in the unit of length, and how to speak of it.
 struct LengthUnit
 {
@@ -230,7 +198,7 @@ imaging::VoxelFrame read_nifti_frame(const NiftiFields& fields, const std::array
     const LengthUnit unit = length_unit(fields, coordinates, notes);
     named.frame.linear = unit.millimetres * named.frame.linear;
     named.frame.origin *= unit.millimetres;
-    require_frame(fields, named, unit.remark);
+    require_frame(named.frame, fields.file(), named.field, unit.remark);
     return named.frame;
 }
 

@@ -15,9 +15,7 @@ namespace corticle::formats
 namespace
 {
 
-constexpr std::int64_t most_voxels = std::int64_t{1} << 31;
-
-void read_size(const NiftiFields& fields, const std::string& name, NiftiHeader& header)
+void read_size(const NiftiFields& fields, const std::string& name, VolumeHeader& header)
 {
     const std::int64_t dimensions = fields.integer(fields.layout().dim);
     if (dimensions < 3 || dimensions > 7)
@@ -28,11 +26,7 @@ void read_size(const NiftiFields& fields, const std::string& name, NiftiHeader& 
     for (std::int64_t k = 1; k <= dimensions; ++k)
     {
         const std::int64_t length = fields.integer(fields.layout().dim, static_cast<std::size_t>(k));
-        if (length < 1 || length > most_voxels || (voxels *= length) > most_voxels)
-        {
-            fail_reading(name, fmt::format("absurd size along axis {}", k), fmt::format("{}", length),
-                         "1 or more voxels, not above 2^31 in all");
-        }
+        add_axis(k, length, voxels, name);
         if (k <= 3)
         {
             header.size[k - 1] = length;
@@ -44,10 +38,10 @@ void read_size(const NiftiFields& fields, const std::string& name, NiftiHeader& 
     }
 }
 
-NiftiType checked_type(const NiftiFields& fields, const std::string& name)
+NumberType checked_type(const NiftiFields& fields, const std::string& name)
 {
-    using enum NiftiType;
-    const auto type = static_cast<NiftiType>(fields.datatype());
+    using enum NumberType;
+    const auto type = static_cast<NumberType>(fields.datatype());
     const auto known = {uint8, int16, int32, float32, float64, int8, uint16, uint32, int64, uint64};
     if (std::find(known.begin(), known.end(), type) == known.end())
     {
@@ -57,7 +51,7 @@ NiftiType checked_type(const NiftiFields& fields, const std::string& name)
     return type;
 }
 
-void read_scaling(const NiftiFields& fields, const std::string& name, NiftiHeader& header)
+void read_scaling(const NiftiFields& fields, const std::string& name, VolumeHeader& header)
 {
     const double slope = fields.real(fields.layout().scl_slope);
     const double intercept = fields.real(fields.layout().scl_inter);
@@ -75,42 +69,26 @@ void read_scaling(const NiftiFields& fields, const std::string& name, NiftiHeade
 
 } // namespace
 
-std::size_t size_of(NiftiType type)
+VolumeHeader read_nifti_header(std::string_view start, InflatingStream& stream, const std::string& name,
+                               Coordinates coordinates)
 {
-    using enum NiftiType;
-    switch (type)
-    {
-    case uint8:
-    case int8:
-        return 1;
-    case int16:
-    case uint16:
-        return 2;
-    case int32:
-    case uint32:
-    case float32:
-        return 4;
-    default:
-        return 8;
-    }
-}
-
-NiftiHeader read_nifti_header(InflatingStream& stream, const std::string& name, Coordinates coordinates)
-{
-    const NiftiFields fields(stream, name);
+    const NiftiFields fields(start, stream, name);
     const NiftiLayout& at = fields.layout();
-    NiftiHeader header;
+    VolumeHeader header;
     header.swapped = fields.swapped();
+    header.is_pair = fields.is_pair();
     read_size(fields, name, header);
     header.type = checked_type(fields, name);
     read_scaling(fields, name, header);
+    const std::size_t least = header.is_pair ? 0 : at.size;
     const double offset = fields.vox_offset();
-    if (!(offset >= static_cast<double>(at.size) && offset <= 1e9) || offset != std::floor(offset))
+    if (!(offset >= static_cast<double>(least) && offset <= 1e9) || offset != std::floor(offset))
     {
         fail_reading(name, "absurd vox_offset", fmt::format("{:.9g}", offset),
-                     fmt::format("a byte after the header of {}", at.size));
+                     header.is_pair ? "a byte of the image file"
+                                    : fmt::format("a byte after the header of {}", at.size));
     }
-    header.skip = static_cast<std::size_t>(offset) - at.size;
+    header.skip = static_cast<std::size_t>(offset) - least;
     header.frame = read_nifti_frame(fields, header.size, coordinates, header.notes);
     return header;
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "corticle/formats/volumes/nifti_write.hpp"
+
 #include "corticle/base/error.hpp"
 #include "corticle/formats/atomic_file.hpp"
-#include "corticle/formats/volumes/nifti.hpp"
 #include "corticle/formats/volumes/nifti_header.hpp"
 
 #include <fmt/format.h>
@@ -114,7 +115,7 @@ void put_frame(const imaging::VoxelFrame& frame, HeaderBytes& header)
 }
 
 template <class Number>
-void append_labels(const imaging::LabelVolume& image, NiftiType type, HeaderBytes& header)
+void append_labels(const imaging::LabelVolume& image, NumberType type, HeaderBytes& header)
 {
     constexpr std::size_t bitpix = 72;
     header.put(nifti1_layout.datatype, static_cast<std::int16_t>(type));
@@ -145,15 +146,15 @@ std::string nifti1_bytes(const imaging::LabelVolume& image)
     const auto [low, high] = std::minmax_element(image.labels.begin(), image.labels.end());
     if (*low >= 0 && *high <= std::numeric_limits<std::uint8_t>::max())
     {
-        append_labels<std::uint8_t>(image, NiftiType::uint8, header);
+        append_labels<std::uint8_t>(image, NumberType::uint8, header);
     }
     else if (*low >= std::numeric_limits<std::int16_t>::min() && *high <= std::numeric_limits<std::int16_t>::max())
     {
-        append_labels<std::int16_t>(image, NiftiType::int16, header);
+        append_labels<std::int16_t>(image, NumberType::int16, header);
     }
     else
     {
-        append_labels<std::int32_t>(image, NiftiType::int32, header);
+        append_labels<std::int32_t>(image, NumberType::int32, header);
     }
     return std::move(header.bytes);
 }

@@ -3,8 +3,9 @@
 
 #include "corticle/base/error.hpp"
 #include "corticle/formats/surfaces/surface_reader.hpp"
-#include "corticle/formats/volumes/nifti.hpp"
+#include "corticle/formats/volumes/volume_reader.hpp"
 #include "corticle/geometry/validate.hpp"
+#include "corticle/imaging/orientation.hpp"
 #include "corticle/prepare/label_surface.hpp"
 
 #include <fmt/format.h>
@@ -34,25 +35,28 @@ imaging::MaskOptions measuring_mask()
 RealSurfaceReading read_real_surface(const std::filesystem::path& file, const RealSurfaceOptions& options)
 {
     RealSurfaceReading reading;
-    if (formats::is_nifti(file))
+    if (formats::is_volume(file))
     {
         imaging::ImagedSurface imaged =
             prepare::read_label_surface(file, options.mask, options.coordinates, reading.notes);
         reading.surface = std::move(imaged.surface);
         reading.warnings = std::move(imaged.report.warnings);
+        reading.notes.push_back(imaging::describe_place(reading.surface.vertices));
         const Vec3& edges = imaged.report.voxel_mm;
         reading.voxel_mm = std::max({edges.x, edges.y, edges.z});
         return reading;
     }
     if (!options.mask.labels.empty())
     {
-        throw InputError(fmt::format("{}: --labels is given, but this is no label volume; expected a NIfTI file, or no "
-                                     "--labels",
-                                     file.string()));
+        throw InputError(
+            fmt::format("{}: --labels is given, but this is no label volume; expected a NIfTI or MGH file, or no "
+                        "--labels",
+                        file.string()));
     }
     reading.surface =
         formats::read_surface(file, {formats::millimetres_per(options.unit), options.coordinates, &reading.notes});
     geometry::require_valid_surface(reading.surface, file.string());
+    reading.notes.push_back(imaging::describe_place(reading.surface.vertices));
     return reading;
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Feeds damaged NIfTI files to the reader: plain, damaged after compression, and before it. Usage: nifti_reader
-// [seconds].
-#include "corticle/formats/volumes/nifti.hpp"
+// Feeds damaged NIfTI and MGH files to the reader: plain, damaged after compression, and before it. Usage:
+// volume_reader [seconds].
+#include "corticle/formats/volumes/volume_reader.hpp"
 
+#include "formats/volumes/mgh_samples.hpp"
 #include "formats/volumes/nifti_samples.hpp"
 #include "fuzz/reader_fuzz.hpp"
 
@@ -21,10 +22,10 @@ std::vector<NiftiSample> images()
         {
             result.push_back(plain_sample(wide, swapped));
             result.push_back(plain_sample(wide, swapped));
-            result.back().data<float>(formats::NiftiType::float32, sample_labels());
+            result.back().data<float>(formats::NumberType::float32, sample_labels());
             result.back().code(result.back().layout().qform_code, 1);
             result.push_back(plain_sample(wide, swapped));
-            result.back().dimensions({2, 3, 2, 2}).data<std::int64_t>(formats::NiftiType::int64, sample_labels());
+            result.back().dimensions({2, 3, 2, 2}).data<std::int64_t>(formats::NumberType::int64, sample_labels());
             result.back().sform({Mat3::diagonal(-1, 1, 2), {1, 2, 3}});
         }
     }
@@ -40,6 +41,10 @@ std::vector<Sample> samples()
         result.emplace_back("nii", formats::gzip(image.bytes()));
         result.emplace_back("to_pack", image.bytes());
     }
+    MghSample image;
+    result.emplace_back("mgh", image.bytes());
+    result.emplace_back("mgh", image.numbers<float>(3, sample_labels()).bytes());
+    result.emplace_back("to_pack", image.bytes());
     return result;
 }
 
@@ -69,7 +74,7 @@ int main(int argc, char** argv)
                        {
                            const auto volume =
                                bytes.size() % 2 == 0 ? std::optional<std::int64_t>(bytes.size() % 3) : std::nullopt;
-                           formats::parse_nifti(kind == "to_pack" ? formats::gzip(bytes) : bytes, "fuzz.nii",
-                                                {volume, formats::Coordinates::scanner});
+                           const std::string given = kind == "to_pack" ? formats::gzip(bytes) : bytes;
+                           formats::parse_labels({given, {}}, "fuzz.nii", {volume, formats::Coordinates::scanner, {}});
                        });
 }

@@ -19,9 +19,9 @@ struct VectorVolume
     const Vec3* at(const Vec3& index) const;
 };
 
-/// Reads three numbers a voxel from a NIfTI file, as read_nifti does labels: 4D or 5D with three volumes, one for each
-/// component. @throws InputError, one line naming the file, where it is missing, truncated, of another kind, or holds
-/// numbers that are not finite
-VectorVolume read_nifti_vectors(const std::filesystem::path& file);
+/// Reads three numbers a voxel from a NIfTI or MGH file, as read_labels does labels: 4D or 5D with three volumes, one
+/// for each component. @throws InputError, one line naming the file, where it is missing, truncated, of another kind,
+/// or holds numbers that are not finite
+VectorVolume read_vectors(const std::filesystem::path& file);
 
 } // namespace corticle::formats
