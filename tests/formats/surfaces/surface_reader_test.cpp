@@ -237,8 +237,9 @@ TEST(SurfaceReader, ReadsStripsOfVtp)
         "type=\"Int64\" Name=\"offsets\" format=\"ascii\">5</DataArray></Strips><Polys><DataArray type=\"Int64\" "
         "Name=\"connectivity\" format=\"ascii\">0 2 4</DataArray><DataArray type=\"Int64\" Name=\"offsets\" "
         "format=\"ascii\">3</DataArray></Polys></Piece></PolyData></VTKFile>";
+    // The polygon 0 2 4, then of the strip 0 1 2, 2 1 3 and 2 3 4; vertices are numbered as they are used.
     EXPECT_EQ(formats::parse_surface(vtp, "vtp", "strips.vtp").triangles,
-              (std::vector<Triangle>{{0, 2, 4}, {0, 1, 2}, {2, 1, 3}, {2, 3, 4}}));
+              (std::vector<Triangle>{{0, 1, 2}, {0, 3, 1}, {1, 3, 4}, {1, 4, 2}}));
     std::string bad = vtp;
     bad.replace(bad.find("0 1 2 3 4"), 9, "0 1 2 3 9");
     EXPECT_THROW(formats::parse_surface(bad, "vtp", "strips.vtp"), InputError);

@@ -174,8 +174,8 @@ TEST(Nifti, RefusesWhatIsNoLabel)
 TEST(Nifti, RefusesBadHeaders)
 {
     const formats::NiftiLayout& at = formats::nifti1_layout;
-    EXPECT_THAT(refusal(std::string()), HasSubstr("not a NIfTI file; got 0 bytes"));
-    EXPECT_THAT(refusal(std::string("OFF\n0 0 0\n")), HasSubstr("not a NIfTI file; got the bytes 4f 46 46 0a"));
+    EXPECT_THAT(refusal(std::string()), HasSubstr("not a NIfTI or MGH file; got 0 bytes"));
+    EXPECT_THAT(refusal(std::string("OFF\n0 0 0\n")), HasSubstr("not a NIfTI or MGH file; got the bytes 4f 46 46 0a"));
     EXPECT_THAT(refusal(plain_sample().bytes().substr(0, 200)), HasSubstr("truncated in its header; got 200 bytes"));
     NiftiSample pair = plain_sample();
     pair.put(at.magic + 1, 'i');

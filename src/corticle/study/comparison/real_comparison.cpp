@@ -215,7 +215,10 @@ RealComparison compare_with_real(const ComparisonRequest& request)
         surfaces.push_back(surface_of_frame(frame));
         result.run_rows.push_back(metrics::surface_rows(surfaces.back().vertices, surfaces.back().triangles));
     }
-    set_patterns(surfaces, result);
+    if (request.patterns)
+    {
+        set_patterns(surfaces, result);
+    }
     return result;
 }
 

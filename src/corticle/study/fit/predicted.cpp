@@ -27,6 +27,11 @@ double from_table(const formats::NumberTable& measures, const Quantity& quantity
                                                   : metrics::interpolate(places->values, values->values, quantity.at);
 }
 
+bool is_pattern(const std::string& measure)
+{
+    return measure.starts_with("pattern_");
+}
+
 double pattern_value(const metrics::PatternScore& score, const std::string& measure)
 {
     return measure == "pattern_depth"       ? score.depth
@@ -41,7 +46,7 @@ double from_surface(const std::filesystem::path& run_folder, const Quantity& qua
                     const study::RealComparison& comparison)
 {
     const study::RealSurface& real = comparison.reals.front();
-    if (quantity.measure.starts_with("pattern_"))
+    if (is_pattern(quantity.measure))
     {
         return real.pattern ? pattern_value(real.pattern->pattern.scores.front(), quantity.measure) : none;
     }
@@ -53,11 +58,12 @@ double from_surface(const std::filesystem::path& run_folder, const Quantity& qua
     return comparison.run_value(static_cast<std::size_t>(row - real.rows.begin()), real);
 }
 
-study::RealComparison compared(const std::filesystem::path& run_folder, const Quantity& quantity)
+study::RealComparison compared(const std::filesystem::path& run_folder, const Quantity& quantity, bool patterns)
 {
     study::ComparisonRequest request;
     request.run = run_folder;
     request.real = quantity.reading;
+    request.patterns = patterns;
     request.others = {
         fmt::format("{}@{}{}", quantity.file.string(), quantity.place == Quantity::Place::t ? "t=" : "", quantity.at)};
     return study::compare_with_real(request);
@@ -69,6 +75,7 @@ std::vector<double> predicted_by(const std::filesystem::path& run_folder, std::s
 {
     const record::RunContents run = record::read_run(run_folder);
     const sweep::RunState state = sweep::read_state(run_folder);
+    const bool patterns = std::ranges::any_of(quantities, is_pattern, &Quantity::measure);
     std::vector<double> values;
     std::optional<study::RealComparison> comparison; // of the surface at hand: quantities of one stand together
     const Quantity* compared_for = nullptr;
@@ -78,7 +85,7 @@ std::vector<double> predicted_by(const std::filesystem::path& run_folder, std::s
         {
             if (compared_for == nullptr || compared_for->file != quantity.file || compared_for->at != quantity.at)
             {
-                comparison = compared(run_folder, quantity);
+                comparison = compared(run_folder, quantity, patterns);
                 compared_for = &quantity;
             }
             values.push_back(from_surface(run_folder, quantity, *comparison));
