@@ -57,6 +57,17 @@ std::unique_ptr<model::Simulation> simulated(const std::shared_ptr<const model::
     return simulation;
 }
 
+/// What is stored at the end, by kind.
+std::vector<double> energies_of(const model::Simulation& simulation)
+{
+    std::vector<double> values;
+    for (const mechanics::NamedEnergy& energy : simulation.energies())
+    {
+        values.push_back(energy.value);
+    }
+    return values;
+}
+
 bool is_same(const Mat3& a, const Mat3& b)
 {
     return std::ranges::equal(a.column, b.column);
@@ -85,6 +96,8 @@ TEST_P(Ranks, GiveTheBitsOfOne)
                              if (rank.is_root())
                              {
                                  test::expect_same_bits(*one, *part);
+                                 EXPECT_EQ(energies_of(*one), energies_of(*part));
+                                 EXPECT_EQ(one->contact().largest_rate, part->contact().largest_rate);
                                  EXPECT_EQ(one->state().history, part->state().history);
                                  EXPECT_EQ(one->internal().smallest_J_at, part->internal().smallest_J_at);
                                  EXPECT_TRUE(std::ranges::equal(F, F_of_ranks, is_same));

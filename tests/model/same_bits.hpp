@@ -45,14 +45,6 @@ inline void expect_same_bits(const model::Simulation& a, const model::Simulation
     EXPECT_EQ(a.step_size(), b.step_size());
     EXPECT_EQ(a.internal().elastic_energy, b.internal().elastic_energy);
     EXPECT_EQ(a.contact().active, b.contact().active);
-    EXPECT_EQ(a.contact().largest_rate, b.contact().largest_rate);
-    const auto energies_of_a = a.energies();
-    const auto energies_of_b = b.energies();
-    ASSERT_EQ(energies_of_a.size(), energies_of_b.size());
-    for (std::size_t k = 0; k < energies_of_a.size(); ++k)
-    {
-        EXPECT_EQ(energies_of_a[k].value, energies_of_b[k].value) << energies_of_a[k].name;
-    }
 }
 
 } // namespace corticle::test

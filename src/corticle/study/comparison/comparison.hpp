@@ -20,7 +20,7 @@ struct ComparisonRequest
     /// Growth times of the pictures [-]; empty: half and end. Of more than two runs: the one to compare them at.
     std::vector<double> picture_times;
     RealSurfaceOptions real; ///< how real surfaces are read
-    bool patterns = true;    ///< whether to find how far the folds are at the right place, which takes seconds a surface
+    bool patterns = true; ///< whether to find how far the folds are at the right place, which takes seconds a surface
 };
 
 /// Pictures of a report.
