@@ -63,13 +63,8 @@ void add_regions(const MeasureArguments& arguments, const TriangleMesh& surface,
 {
     if (arguments.regions.empty())
     {
-        if (!arguments.areas.empty())
-        {
-            throw InputError(fmt::format("--areas {}: is given without --regions", arguments.areas.string()));
-        }
         return;
     }
-    require_new_file("--areas", arguments.areas, arguments.overwrite);
     const std::vector<double> labels = regions::nearest_labels(
         formats::read_labels(arguments.regions, {{}, arguments.options.coordinates}), surface.vertices);
     std::string table = "label,area_mm2\n";
@@ -96,6 +91,11 @@ std::vector<metrics::SurfaceRow> measured(const MeasureArguments& arguments)
         throw InputError(
             fmt::format("{} is given without --surface delaunay", arguments.out.empty() ? "--length-limit" : "--out"));
     }
+    if (arguments.regions.empty() && !arguments.areas.empty())
+    {
+        throw InputError(fmt::format("--areas {}: is given without --regions", arguments.areas.string()));
+    }
+    require_new_file("--areas", arguments.areas, arguments.overwrite);
     const study::RealSurfaceReading reading = study::read_real_surface(arguments.file, arguments.options);
     print_lines("note", reading.notes);
     print_lines("warning", reading.warnings);
