@@ -7,8 +7,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <system_error>
 
 namespace corticle::formats
 {
@@ -71,12 +73,16 @@ void append_checksum(const std::filesystem::path& file)
     {
         hash = over(hash, std::string_view(piece).substr(0, static_cast<std::size_t>(stream.gcount())));
     }
+    errno = 0;
     std::ofstream end(file, std::ios::binary | std::ios::app);
     end << line_of(finished(hash));
     end.flush();
     if (error || stream.bad() || !end)
     {
-        throw RunError(fmt::format("cannot write {}: its checksum could not be made", file.string()));
+        const int reason = errno;
+        throw RunError(fmt::format("cannot write {}: {}", file.string(),
+                                   reason != 0 ? std::generic_category().message(reason)
+                                               : "what was written of it cannot be read again"));
     }
 }
 
