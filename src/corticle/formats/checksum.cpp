@@ -63,7 +63,7 @@ std::string checksum_line(std::string_view bytes)
     return line_of(checksum(bytes));
 }
 
-void append_checksum(const std::filesystem::path& file)
+void append_checksum(const std::filesystem::path& file, const std::string& name)
 {
     std::error_code error;
     std::uint64_t hash = start_of(std::filesystem::file_size(file, error));
@@ -80,7 +80,7 @@ void append_checksum(const std::filesystem::path& file)
     if (error || stream.bad() || !end)
     {
         const int reason = errno;
-        throw RunError(fmt::format("cannot write {}: {}", file.string(),
+        throw RunError(fmt::format("cannot write {}: {}", name,
                                    reason != 0 ? std::generic_category().message(reason)
                                                : "what was written of it cannot be read again"));
     }

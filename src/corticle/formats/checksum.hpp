@@ -16,8 +16,10 @@ std::uint64_t checksum(std::string_view bytes);
 /// A comment of XML with the checksum of all that stands before it, for the end of files of this program.
 std::string checksum_line(std::string_view bytes);
 
-/// Appends that line to a file. @throws RunError when it cannot be written
-void append_checksum(const std::filesystem::path& file);
+/// Appends that line to a file.
+/// @param name  as errors call the file
+/// @throws RunError with the reason when it cannot be written
+void append_checksum(const std::filesystem::path& file, const std::string& name);
 
 /// Where a file ends in such a line, its bytes must be those it was made of; a file without one is not judged.
 /// @throws InputError naming the file

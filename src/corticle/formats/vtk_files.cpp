@@ -95,7 +95,7 @@ void write(const std::filesystem::path& file, vtkDataObject* data)
                                                         reason != 0 ? std::generic_category().message(reason)
                                                                     : "VTK left it incomplete"));
                          }
-                         append_checksum(temporary);
+                         append_checksum(temporary, file.string());
                      });
 }
 
