@@ -62,18 +62,24 @@ def make_run(arguments, case, folder, settings):
     return subprocess.run(words, check=False).returncode == 0
 
 
+def has_run(arguments, case, folder, settings):
+    """Makes the run, unless runs are only read; whether it is complete, which it says where it is not."""
+    if not arguments.runs:
+        make_run(arguments, case, folder, settings)
+    if is_complete(folder):
+        return True
+    print(f"{folder}: no complete run, left out")
+    return False
+
+
 def folders(arguments, case, letter, settings, out):
     """(size, folder) of every run that is complete; says which are not."""
     base = arguments.runs or Path(arguments.out or out)
     found = []
     for size in arguments.sizes:
         folder = base / f"{letter}{size // 1000}"
-        if not arguments.runs:
-            make_run(arguments, case, folder, [f"geometry.particles={size}", *settings])
-        if is_complete(folder):
+        if has_run(arguments, case, folder, [f"geometry.particles={size}", *settings]):
             found.append((size, folder))
-        else:
-            print(f"{folder}: no complete run, left out")
     return found
 
 

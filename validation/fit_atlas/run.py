@@ -16,22 +16,18 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
 
 import _runs  # noqa: E402
+from _atlas import TARGETS  # noqa: E402
 
 LABELS = "[2, 3, 5, 7, 9]"
-# Of the cerebrum of the CHN atlas, measured by `corticle measure`; cortex by voxels. More weeks: ../fetal/run.py.
-REAL = {
-    "length_mm": {28: 80.1, 33: 95.8, 36: 105.5, 38: 107.2},
-    "volume_mm3": {28: 128.0e3, 33: 201.8e3, 36: 280.4e3, 38: 312.8e3},
-    "area_mm2": {28: 189.6e2, 33: 279.4e2, 36: 351.0e2, 38: 368.3e2},
-    "gi_hull": {28: 1.263, 33: 1.359, 36: 1.376, 38: 1.358},
-    "sulcal_depth_mean_mm": {28: 4.12, 33: 4.98, 36: 5.56, 38: 5.61},
-    "cortex_volume_mm3": {28: 42.3e3, 33: 74.9e3, 36: 108.5e3, 38: 118.8e3},
-}
-LENGTH_23 = 64.0    # mm, of the same atlas
+WEEKS = (28, 33, 36, 38)
+# Of an atlas, in the units of measures.csv.
+REAL = {key: {week: factor * TARGETS[name][week] for week in WEEKS}
+        for key, name, factor in (("length_mm", "length_mm", 1), ("volume_mm3", "volume_cm3", 1000), ("area_mm2", "area_cm2", 100),
+                                  ("gi_hull", "gi_hull", 1), ("sulcal_depth_mean_mm", "sulcal_depth_mean_mm", 1),
+                                  ("cortex_volume_mm3", "cortex_cm3", 1000))}
 POWERS = {"length_mm": 1, "volume_mm3": 3, "area_mm2": 2, "gi_hull": 0, "sulcal_depth_mean_mm": 1, "cortex_volume_mm3": 3}
 BOUNDS = {"tissue.alpha_t": (2.0, 5.0, ""), "tissue.alpha_r": (0.2, 1.2, ""), "tissue.alpha_white": (0.7, 1.8, ""),
           "tissue.mu_cortex": (0.5, 2.0, 'scale = "log"\n')}
-WEEKS = (28, 33, 36, 38)
 
 
 def parse_arguments():
@@ -108,7 +104,7 @@ def off(value, key, week):
 
 def trivial(key, week, known):
     """The brain of 28 weeks, scaled: by its own growth from 23 weeks on, or to the real length of that week."""
-    rate = (REAL["length_mm"][28] / LENGTH_23) ** (1 / 5)
+    rate = (REAL["length_mm"][28] / TARGETS["length_mm"][23]) ** (1 / 5)
     scale = REAL["length_mm"][week] / REAL["length_mm"][28] if known else rate ** (week - 28)
     return REAL[key][28] * scale ** POWERS[key]
 

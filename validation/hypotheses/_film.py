@@ -56,13 +56,8 @@ def plan(ratio, change):
 def describe(run, folder):
     past = _strip.history(folder, run["alpha"], MODES)
     strip = _layer.Strip(run["ratio"], run["bulk"], DEPTH)
-    modes = []
-    for n in range(1, MODES + 1):
-        wavelength = 2 * run["length"] / n
-        growth, explained = _strip.critical_growth(past, n)
-        expected = _layer.onset(strip, wavelength)
-        modes.append({"n": n, "wavelength": wavelength, "growth": growth, "explained": explained, "theory": expected,
-                      "largest": max(abs(values[n - 1]) for _, values in past)})
+    modes = [mode | {"theory": _layer.onset(strip, mode["wavelength"]), "largest": max(abs(values[mode["n"] - 1]) for _, values in past)}
+             for mode in _strip.modes_of(past, run["length"], range(1, MODES + 1))]
     first = _strip.first_mode(modes)
     summary = _runs.read_summary(folder)
     published_strain, published_wave = PUBLISHED[run["ratio"]]
@@ -78,12 +73,8 @@ def results_of(arguments, base):
     for ratio, change in RUNS:
         run, settings = plan(ratio, change)
         folder = base / run["name"]
-        if not arguments.runs:
-            _runs.make_run(arguments, _strip.CASE, folder, settings)
-        if _runs.is_complete(folder):
+        if _runs.has_run(arguments, _strip.CASE, folder, settings):
             found.append(describe(run, folder))
-        else:
-            print(f"{folder}: no complete run, left out")
     return found
 
 

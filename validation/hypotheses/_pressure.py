@@ -44,10 +44,7 @@ def plan(ratio, pressure):
 
 def describe(run, folder):
     past = _strip.history(folder, run["alpha"], MODES)
-    modes = []
-    for n in range(1, MODES + 1):
-        growth, explained = _strip.critical_growth(past, n)
-        modes.append({"n": n, "wavelength": 2 * run["length"] / n, "growth": growth, "explained": explained})
+    modes = _strip.modes_of(past, run["length"], range(1, MODES + 1))
     first = _strip.first_mode(modes)
     seen = _strip.visible_growth(_strip.heights(folder, run["alpha"]), VISIBLE)
     summary = _runs.read_summary(folder)
@@ -65,12 +62,8 @@ def results_of(arguments, base):
         for pressure in strains:
             run, settings = plan(ratio, pressure)
             folder = base / run["name"]
-            if not arguments.runs:
-                _runs.make_run(arguments, _strip.CASE, folder, settings)
-            if _runs.is_complete(folder):
+            if _runs.has_run(arguments, _strip.CASE, folder, settings):
                 found.append(describe(run, folder))
-            else:
-                print(f"{folder}: no complete run, left out")
     return found
 
 

@@ -82,11 +82,7 @@ def describe(run, folder):
     heights = _strip.heights(folder, run["alpha"])
     growth = _strip.visible_growth(heights, VISIBLE)
     past = _strip.history(folder, run["alpha"], MODES)
-    modes = []
-    for n in range(2, MODES + 1):
-        critical, explained = _strip.critical_growth(past, n)
-        modes.append({"n": n, "wavelength": 2 * LENGTH / n, "growth": critical, "explained": explained})
-    first = _strip.first_mode(modes)
+    first = _strip.first_mode(_strip.modes_of(past, LENGTH, range(2, MODES + 1)))
     summary = _runs.read_summary(folder)
     published = dict(zip(STIFFNESSES, PUBLISHED[run["ratio"]])).get(run["stiffness"])
     return run | {"strain": _layer.strain(growth) if growth else None, "southwell_strain": _layer.strain(first["growth"]),
@@ -100,12 +96,8 @@ def results_of(arguments, base):
         for stiffness in STIFFNESSES:
             run, settings = plan(base, ratio, stiffness)
             folder = base / run["name"]
-            if not arguments.runs:
-                _runs.make_run(arguments, _strip.CASE, folder, settings)
-            if _runs.is_complete(folder):
+            if _runs.has_run(arguments, _strip.CASE, folder, settings):
                 found.append(describe(run, folder))
-            else:
-                print(f"{folder}: no complete run, left out")
     return found
 
 

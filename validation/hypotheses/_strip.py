@@ -41,14 +41,16 @@ def amplitudes(row, most):
     return result
 
 
+def top_rows(folder, alpha):
+    """Growth g and the upper face (see top_row) at every output time."""
+    for number, row in enumerate(_runs.read_measures(folder)):
+        references, displacements, _ = _vtk.read_surface(folder / f"surface_{number:04d}.vtp")
+        yield 1 + alpha * row["t"], top_row(references, displacements)
+
+
 def history(folder, alpha, most):
     """Growth g and the amplitudes of the modes at every output time."""
-    rows = _runs.read_measures(folder)
-    result = []
-    for number, row in enumerate(rows):
-        references, displacements, _ = _vtk.read_surface(folder / f"surface_{number:04d}.vtp")
-        result.append((1 + alpha * row["t"], amplitudes(top_row(references, displacements), most)))
-    return result
+    return [(growth, amplitudes(row, most)) for growth, row in top_rows(folder, alpha)]
 
 
 def parts(points, critical):
@@ -93,6 +95,15 @@ def critical_growth(past, mode, most_amplitude=LAST_SHARE):
     return 1 + critical, explained
 
 
+def modes_of(past, length, numbers):
+    """Of waves with so many half-waves in the length: wavelength, critical growth and what the fit explains."""
+    modes = []
+    for n in numbers:
+        growth, explained = critical_growth(past, n)
+        modes.append({"n": n, "wavelength": 2 * length / n, "growth": growth, "explained": explained})
+    return modes
+
+
 def first_mode(modes):
     """The first to become unstable: growth and wavelength of the lowest point of the parabola closest to the waves near it."""
     found = [mode for mode in modes if mode["growth"]]
@@ -114,10 +125,9 @@ def first_mode(modes):
 def heights(folder, alpha):
     """Growth and half of the height from the deepest valley to the highest crown at every output time."""
     result = []
-    for number, row in enumerate(_runs.read_measures(folder)):
-        references, displacements, _ = _vtk.read_surface(folder / f"surface_{number:04d}.vtp")
-        values = [height for _, height in top_row(references, displacements)]
-        result.append((1 + alpha * row["t"], 0.5 * (max(values) - min(values))))
+    for growth, row in top_rows(folder, alpha):
+        values = [height for _, height in row]
+        result.append((growth, 0.5 * (max(values) - min(values))))
     return result
 
 

@@ -67,13 +67,9 @@ def results_of(arguments, base):
             complete = []
             for seed in SEEDS:
                 folder = base / f"{body}_{rate:g}_s{seed}"
-                if not arguments.runs:
-                    case, settings = plan(body, rate, seed)
-                    _runs.make_run(arguments, case, folder, settings)
-                if _runs.is_complete(folder):
+                case, settings = plan(body, rate, seed)
+                if _runs.has_run(arguments, case, folder, settings):
                     complete.append(folder)
-                else:
-                    print(f"{folder}: no complete run, left out")
             if complete:
                 found.append(describe(body, rate, complete))
     return found

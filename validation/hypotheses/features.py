@@ -15,6 +15,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE)]
 
+import _atlas  # noqa: E402
 import _pattern  # noqa: E402
 import _runs  # noqa: E402
 
@@ -61,7 +62,7 @@ FEATURES = (("hull index", "gi_hull", ".3f"), ("area mm²", "area_mm2", ".0f"), 
 
 def write_even_growth(path):
     """Every tissue grows as the whole cerebrum does, in all directions: lengths by (volume of labels)^(1/3)."""
-    volumes = {23: 62.7, 25: 84.0, 27: 114.0, 29: 143.0, 31: 172.0, 34: 226.8, 36: 280.4, 38: 312.8}  # ml, CHN atlas
+    volumes = {week: _atlas.TARGETS["volume_cm3"][week] for week in (23, 25, 27, 29, 31, 34, 36, 38)}
     lines = ["week,tissue,tangential,radial"]
     for week, volume in volumes.items():
         length = (volume / volumes[23]) ** (1 / 3)

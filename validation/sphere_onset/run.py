@@ -53,14 +53,9 @@ def results_of(arguments, base):
         for size in (size for size in sizes if size in arguments.sizes):
             for change in ("", *CHANGED.get((method, size), ())):
                 folder = base / f"{method}{size // 1000}{change}"
-                if not arguments.runs:
-                    case = _runs.ROOT / "cases" / "sphere.toml"
-                    chosen = [f"{SIZE_KEYS[method]}={size}", *CHANGES[change][1], *SETTINGS[method]]
-                    _runs.make_run(arguments, case, folder, chosen)
-                if _runs.is_complete(folder):
+                chosen = [f"{SIZE_KEYS[method]}={size}", *CHANGES[change][1], *SETTINGS[method]]
+                if _runs.has_run(arguments, _runs.ROOT / "cases" / "sphere.toml", folder, chosen):
                     yield describe(folder, method, size, change)
-                else:
-                    print(f"{folder}: no complete run, left out")
 
 
 def table(results):
