@@ -2,6 +2,7 @@
 #include "corticle/formats/format_error.hpp"
 
 #include "corticle/base/error.hpp"
+#include "corticle/formats/text_scan.hpp"
 
 #include <fmt/format.h>
 
@@ -71,9 +72,7 @@ std::string lower_case_extension(const std::filesystem::path& file)
 {
     std::string extension = file.extension().string();
     extension.erase(0, 1);
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return extension;
+    return lower_case(extension);
 }
 
 } // namespace corticle::formats

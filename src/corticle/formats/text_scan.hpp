@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstring>
+#include <string>
 #include <string_view>
 
 namespace corticle::formats
@@ -85,6 +86,18 @@ bool to_number(std::string_view word, Number& value)
     return !word.empty() && error == std::errc{} && end == word.data() + word.size();
 }
 
+/// In lower case, of ASCII.
+inline char lower_case(char c)
+{
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+inline std::string lower_case(std::string_view text)
+{
+    std::string lower(text);
+    std::ranges::transform(lower, lower.begin(), [](char c) { return lower_case(c); });
+    return lower;
+}
+
 /// Equal up to ASCII case; `lower` is in lower case.
 inline bool equals_ignoring_case(std::string_view word, std::string_view lower)
 {
@@ -94,8 +107,7 @@ inline bool equals_ignoring_case(std::string_view word, std::string_view lower)
     }
     for (std::size_t i = 0; i < word.size(); ++i)
     {
-        const char c = word[i] >= 'A' && word[i] <= 'Z' ? static_cast<char>(word[i] - 'A' + 'a') : word[i];
-        if (c != lower[i])
+        if (lower_case(word[i]) != lower[i])
         {
             return false;
         }

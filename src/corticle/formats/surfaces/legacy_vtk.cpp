@@ -54,7 +54,7 @@ class Parser
         take_header();
         for (std::string_view word = take_word(rest_); !word.empty(); word = take_word(rest_))
         {
-            const std::string section = lowered(word);
+            const std::string section = lower_case(word);
             if (section == "point_data" || section == "cell_data")
             {
                 break; // the geometry stands before its data
@@ -71,14 +71,6 @@ class Parser
         fail_reading(name_, what, got, expected);
     }
 
-    static std::string lowered(std::string_view word)
-    {
-        std::string text(word);
-        std::ranges::transform(text, text.begin(),
-                               [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-        return text;
-    }
-
     void take_header()
     {
         constexpr std::string_view magic = "# vtk DataFile Version ";
@@ -89,14 +81,14 @@ class Parser
         }
         take_line(rest_, line);
         take_line(rest_, line); // the title
-        const std::string form = lowered(take_word(rest_));
+        const std::string form = lower_case(take_word(rest_));
         if (form != "ascii" && form != "binary")
         {
             fail("bad legacy VTK header", form, "ASCII or BINARY in its third line");
         }
         is_binary_ = form == "binary";
-        const std::string key = lowered(take_word(rest_));
-        const std::string kind = key == "dataset" ? lowered(take_word(rest_)) : "no DATASET";
+        const std::string key = lower_case(take_word(rest_));
+        const std::string kind = key == "dataset" ? lower_case(take_word(rest_)) : "no DATASET";
         if (kind != "polydata" && kind != "unstructured_grid")
         {
             fail("a kind of VTK data that is no surface and no tet mesh", kind, "POLYDATA or UNSTRUCTURED_GRID");
@@ -158,7 +150,7 @@ class Parser
 
     const NumberKind& take_kind()
     {
-        const std::string word = lowered(take_word(rest_));
+        const std::string word = lower_case(take_word(rest_));
         const auto found = std::ranges::find(kinds, word, &NumberKind::name);
         if (found == kinds.end())
         {
@@ -223,7 +215,7 @@ class Parser
         const std::size_t count = take_count("number of cells", 1);
         const std::size_t size = take_count("size of the cells", 1);
         std::string_view ahead = rest_;
-        const bool is_new = lowered(take_word(ahead)) == "offsets"; // version 5: arrays of offsets and of corners
+        const bool is_new = lower_case(take_word(ahead)) == "offsets"; // version 5: arrays of offsets and of corners
         return is_new ? take_offset_cells(count, size) : take_counted_cells(count, size);
     }
 
@@ -231,7 +223,7 @@ class Parser
     {
         take_word(rest_);
         std::vector<std::int64_t> offsets = take_whole(offset_count, take_kind());
-        if (lowered(take_word(rest_)) != "connectivity")
+        if (lower_case(take_word(rest_)) != "connectivity")
         {
             fail("damaged cells of a legacy VTK file", "no CONNECTIVITY", "OFFSETS, then CONNECTIVITY");
         }

@@ -6,8 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <bit>
-
 namespace corticle::formats
 {
 
@@ -108,7 +106,7 @@ VolumeHeader read_mgh_header(InflatingStream& stream, const std::string& name)
 {
     const MghFields fields(stream, name);
     VolumeHeader header;
-    header.swapped = std::endian::native == std::endian::little;
+    header.big_endian = true;
     std::int64_t voxels = 1;
     for (std::int64_t axis = 1; axis <= 4; ++axis)
     {

@@ -28,13 +28,13 @@ NiftiFields::NiftiFields(std::string_view start, InflatingStream& stream, const 
 
 bool NiftiFields::find_layout()
 {
-    for (const bool swapped : {false, true})
+    for (const bool big_endian : {false, true})
     {
-        const auto size = number_at<std::int32_t>(bytes_.data(), swapped);
+        const auto size = load<std::int32_t>(bytes_.data(), big_endian);
         if (size == 348 || size == 540)
         {
             layout_ = size == 348 ? nifti1_layout : nifti2_layout;
-            swapped_ = swapped;
+            big_endian_ = big_endian;
             return true;
         }
     }

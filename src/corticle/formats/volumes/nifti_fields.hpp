@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "corticle/formats/text_scan.hpp"
 #include "corticle/formats/volumes/nifti_header.hpp"
 
 namespace corticle::formats
@@ -16,30 +17,30 @@ class NiftiFields
 
     const std::string& file() const { return name_; }
     const NiftiLayout& layout() const { return layout_; }
-    bool swapped() const { return swapped_; }
+    bool big_endian() const { return big_endian_; }
     /// Is this the header of a pair, .hdr and .img?
     bool is_pair() const { return bytes_[layout_.magic + 1] == 'i'; }
 
     /// Element k of an integer field; 64 bits in NIfTI-2 where `wide`.
     std::int64_t integer(std::size_t offset, std::size_t k = 0) const
     {
-        return layout_.wide ? number_at<std::int64_t>(&bytes_[offset + 8 * k], swapped_)
-                            : number_at<std::int16_t>(&bytes_[offset + 2 * k], swapped_);
+        return layout_.wide ? load<std::int64_t>(&bytes_[offset + 8 * k], big_endian_)
+                            : load<std::int16_t>(&bytes_[offset + 2 * k], big_endian_);
     }
     double real(std::size_t offset, std::size_t k = 0) const
     {
-        return layout_.wide ? number_at<double>(&bytes_[offset + 8 * k], swapped_)
-                            : static_cast<double>(number_at<float>(&bytes_[offset + 4 * k], swapped_));
+        return layout_.wide ? load<double>(&bytes_[offset + 8 * k], big_endian_)
+                            : static_cast<double>(load<float>(&bytes_[offset + 4 * k], big_endian_));
     }
     std::int64_t code(std::size_t offset) const
     {
-        return layout_.wide ? number_at<std::int32_t>(&bytes_[offset], swapped_)
-                            : number_at<std::int16_t>(&bytes_[offset], swapped_);
+        return layout_.wide ? load<std::int32_t>(&bytes_[offset], big_endian_)
+                            : load<std::int16_t>(&bytes_[offset], big_endian_);
     }
-    std::int64_t datatype() const { return number_at<std::int16_t>(&bytes_[layout_.datatype], swapped_); }
+    std::int64_t datatype() const { return load<std::int16_t>(&bytes_[layout_.datatype], big_endian_); }
     std::int64_t units() const
     {
-        return layout_.wide ? number_at<std::int32_t>(&bytes_[layout_.units], swapped_)
+        return layout_.wide ? load<std::int32_t>(&bytes_[layout_.units], big_endian_)
                             : static_cast<unsigned char>(bytes_[layout_.units]);
     }
     double vox_offset() const
@@ -55,7 +56,7 @@ class NiftiFields
     const std::string& name_;
     std::array<char, 540> bytes_{};
     NiftiLayout layout_{};
-    bool swapped_ = false;
+    bool big_endian_ = false;
 };
 
 } // namespace corticle::formats

@@ -75,7 +75,7 @@ VolumeHeader read_nifti_header(std::string_view start, InflatingStream& stream, 
     const NiftiFields fields(start, stream, name);
     const NiftiLayout& at = fields.layout();
     VolumeHeader header;
-    header.swapped = fields.swapped();
+    header.big_endian = fields.big_endian();
     header.is_pair = fields.is_pair();
     read_size(fields, name, header);
     header.type = checked_type(fields, name);

@@ -6,7 +6,6 @@
 #include "corticle/imaging/label_volume.hpp"
 
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -32,25 +31,13 @@ enum class NumberType : std::int16_t
 /// Bytes of a number.
 std::size_t size_of(NumberType type);
 
-/// A number from bytes, which may be in the other order.
-template <class T>
-T number_at(const char* bytes, bool swapped)
-{
-    std::array<char, sizeof(T)> copy{};
-    for (std::size_t k = 0; k < sizeof(T); ++k)
-    {
-        copy[k] = bytes[swapped ? sizeof(T) - 1 - k : k];
-    }
-    return std::bit_cast<T>(copy);
-}
-
 /// What is needed of the header of an image of any format, checked.
 struct VolumeHeader
 {
     std::array<std::int64_t, 3> size{}; ///< voxels
     std::int64_t volumes = 1;
     NumberType type = NumberType::uint8;
-    bool swapped = false; ///< the byte order is not this machine's
+    bool big_endian = false;
     bool is_pair = false; ///< the numbers are in a file of their own
     double slope = 1.0;
     double intercept = 0.0;

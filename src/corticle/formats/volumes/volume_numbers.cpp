@@ -4,6 +4,7 @@
 #include "corticle/formats/companion_files.hpp"
 #include "corticle/formats/format_error.hpp"
 #include "corticle/formats/plain_file.hpp"
+#include "corticle/formats/text_scan.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -20,11 +21,11 @@ namespace
 constexpr std::size_t piece_bytes = std::size_t{1} << 20;
 
 template <class Number>
-void convert(const std::string& bytes, std::size_t count, bool swapped, std::vector<double>& numbers)
+void convert(const std::string& bytes, std::size_t count, bool big_endian, std::vector<double>& numbers)
 {
     for (std::size_t k = 0; k < count; ++k)
     {
-        numbers[k] = static_cast<double>(number_at<Number>(bytes.data() + k * sizeof(Number), swapped));
+        numbers[k] = static_cast<double>(load<Number>(bytes.data() + k * sizeof(Number), big_endian));
     }
 }
 
@@ -34,25 +35,25 @@ void convert(const VolumeHeader& header, const std::string& bytes, std::size_t c
     switch (header.type)
     {
     case uint8:
-        return convert<std::uint8_t>(bytes, count, header.swapped, numbers);
+        return convert<std::uint8_t>(bytes, count, header.big_endian, numbers);
     case int16:
-        return convert<std::int16_t>(bytes, count, header.swapped, numbers);
+        return convert<std::int16_t>(bytes, count, header.big_endian, numbers);
     case int32:
-        return convert<std::int32_t>(bytes, count, header.swapped, numbers);
+        return convert<std::int32_t>(bytes, count, header.big_endian, numbers);
     case float32:
-        return convert<float>(bytes, count, header.swapped, numbers);
+        return convert<float>(bytes, count, header.big_endian, numbers);
     case float64:
-        return convert<double>(bytes, count, header.swapped, numbers);
+        return convert<double>(bytes, count, header.big_endian, numbers);
     case int8:
-        return convert<std::int8_t>(bytes, count, header.swapped, numbers);
+        return convert<std::int8_t>(bytes, count, header.big_endian, numbers);
     case uint16:
-        return convert<std::uint16_t>(bytes, count, header.swapped, numbers);
+        return convert<std::uint16_t>(bytes, count, header.big_endian, numbers);
     case uint32:
-        return convert<std::uint32_t>(bytes, count, header.swapped, numbers);
+        return convert<std::uint32_t>(bytes, count, header.big_endian, numbers);
     case int64:
-        return convert<std::int64_t>(bytes, count, header.swapped, numbers);
+        return convert<std::int64_t>(bytes, count, header.big_endian, numbers);
     case uint64:
-        return convert<std::uint64_t>(bytes, count, header.swapped, numbers);
+        return convert<std::uint64_t>(bytes, count, header.big_endian, numbers);
     }
 }
 
