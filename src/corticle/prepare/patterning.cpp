@@ -10,6 +10,25 @@
 namespace corticle::prepare
 {
 
+namespace
+{
+
+/// Multiplies m of every point by a factor at the closest point of the surface, not below 0: a column of cortex grows
+/// as one.
+template <class FactorAt>
+void multiply_growth(std::span<const Vec3> places, material::TissueFields& tissue, FactorAt&& factor_at)
+{
+    parallel_for(std::ssize(places),
+                 [&](std::int64_t i)
+                 {
+                     const auto k = static_cast<std::size_t>(i);
+                     const Vec3 foot = places[k] + tissue.depth[k] * tissue.normal[k];
+                     tissue.regional_rate[k] *= std::max(0.0, factor_at(foot));
+                 });
+}
+
+} // namespace
+
 void set_growth_times(const PreparationOptions& options, material::GrowthMaps& maps)
 {
     if (maps.values.empty())
@@ -35,13 +54,8 @@ void apply_protomap(const MapOptions& options, std::span<const Vec3> places, mat
     }
     const material::RandomWaves waves(static_cast<std::uint64_t>(options.protomap_seed), options.protomap_wavelength_mm,
                                       options.protomap_wavelength_mm);
-    parallel_for(std::ssize(places),
-                 [&](std::int64_t i)
-                 {
-                     const auto k = static_cast<std::size_t>(i);
-                     const Vec3 foot = places[k] + tissue.depth[k] * tissue.normal[k];
-                     tissue.regional_rate[k] *= std::max(0.0, 1.0 + options.protomap_amplitude * waves.at(foot));
-                 });
+    multiply_growth(places, tissue,
+                    [&](const Vec3& foot) { return 1.0 + options.protomap_amplitude * waves.at(foot); });
 }
 
 double growth_mode(std::size_t mode, const Vec3& direction)
@@ -81,19 +95,17 @@ void apply_modes(std::span<const double> amplitudes, std::span<const Vec3> place
         volume += tissue.volume[k];
     }
     const Vec3 centre = moment / volume;
-    parallel_for(std::ssize(places),
-                 [&](std::int64_t i)
-                 {
-                     const auto k = static_cast<std::size_t>(i);
-                     const Vec3 foot = places[k] + tissue.depth[k] * tissue.normal[k];
-                     const Vec3 direction = normalized(foot - centre);
-                     double factor = 1.0;
-                     for (std::size_t mode = 0; mode < amplitudes.size(); ++mode)
-                     {
-                         factor += amplitudes[mode] * growth_mode(mode, direction);
-                     }
-                     tissue.regional_rate[k] *= std::max(0.0, factor);
-                 });
+    multiply_growth(places, tissue,
+                    [&](const Vec3& foot)
+                    {
+                        const Vec3 direction = normalized(foot - centre);
+                        double factor = 1.0;
+                        for (std::size_t mode = 0; mode < amplitudes.size(); ++mode)
+                        {
+                            factor += amplitudes[mode] * growth_mode(mode, direction);
+                        }
+                        return factor;
+                    });
 }
 
 } // namespace corticle::prepare

@@ -22,7 +22,6 @@ namespace
 {
 
 constexpr double slope_step = 0.01;
-constexpr double even_variance = 1.0 / 12.0; // of a coordinate that may be anywhere in the cube
 
 /// Correlations between targets of the errors of left-out runs, shrunk by what they owe to the number of runs: the
 /// variance of a correlation r of n values is (1 - r²)² / (n - 1) (Schäfer & Strimmer 2005).

@@ -47,7 +47,7 @@ class Fitting
     void design();
     Emulator emulator() const;
     std::vector<Point> likely_points(const Knowledge& knowledge, int count, std::uint64_t seed) const;
-    void refine();
+    std::optional<Knowledge> refine();
     void correct(Emulator& emulator);
     std::vector<Point> starts() const;
     double penalty() const;
@@ -170,19 +170,21 @@ std::vector<Point> Fitting::likely_points(const Knowledge& knowledge, int count,
     return points;
 }
 
-/// Rounds of runs near the answer, until the emulator's errors hardly count in it.
-void Fitting::refine()
+/// Rounds of runs near the answer, until the emulator's errors hardly count in it. @return what is known then; nothing
+/// where the rounds end before
+std::optional<Knowledge> Fitting::refine()
 {
     for (int round = 1; round <= fit_.surrogate.refinements; ++round)
     {
-        const Knowledge knowledge = learn(fit_, emulator(), starts());
+        Knowledge knowledge = learn(fit_, emulator(), starts());
         if (knowledge.of_emulator.maxCoeff() <= fit_.surrogate.share)
         {
-            return;
+            return knowledge;
         }
         add(likely_points(knowledge, fit_.surrogate.runs_a_round, fit_.study.seed + static_cast<std::uint64_t>(round)),
             "refinement");
     }
+    return std::nullopt;
 }
 
 /// Dear runs: at the most likely point, at draws, and last at the most likely point once all others have corrected it.
@@ -212,13 +214,17 @@ FitResult Fitting::find()
     if (fit_.surrogate.points > 0)
     {
         design();
-        refine();
-        Emulator last = emulator();
+        result.knowledge = refine();
         if (!fit_.fidelity.settings.empty())
         {
+            Emulator last = result.knowledge ? std::move(result.knowledge->emulator) : emulator();
             correct(last);
+            result.knowledge = learn(fit_, std::move(last), starts());
         }
-        result.knowledge = learn(fit_, std::move(last), starts());
+        else if (!result.knowledge)
+        {
+            result.knowledge = learn(fit_, emulator(), starts());
+        }
     }
     const std::optional<std::size_t> best = best_evaluation(fit_, evaluations_);
     if (!best)

@@ -11,11 +11,11 @@ namespace
 {
 
 constexpr std::size_t band_draws = 1000;
-constexpr double level_together = 0.9;
+constexpr double share_within = 0.9; // of the draws, of every interval
 constexpr int prior_points = 2000;
 
 /// @param level  of the values within the interval
-Interval interval_of(const std::vector<double>& values, double level = 0.9)
+Interval interval_of(const std::vector<double>& values, double level = share_within)
 {
     double mean = 0.0;
     for (const double value : values)
@@ -85,7 +85,7 @@ Knowledge learn(const FitFile& fit, Emulator emulator, std::span<const Point> st
     Draws draws = fit.posterior.is_laplace ? laplace(density, mode, fit.posterior.samples, fit.study.seed)
                                            : walk(density, mode, fit.posterior.samples, fit.study.seed);
     Knowledge knowledge{std::move(emulator), mode, std::move(draws), {}, {}, {}, {}, {}, {}, {}};
-    const double together = level_of_each(knowledge.draws.points, level_together);
+    const double together = level_of_each(knowledge.draws.points, share_within);
     knowledge.of_emulator = knowledge.emulator.variance_shares(mode);
     for (std::size_t k = 0; k < fit.space.size(); ++k)
     {

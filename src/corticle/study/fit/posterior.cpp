@@ -27,7 +27,6 @@ constexpr int learning_interval = 100;
 constexpr double best_scale = 2.38;        // over the root of the dimension (Gelman, Roberts & Gilks 1996)
 constexpr std::uint64_t chain_seed = 7919; // between the seeds of chains
 constexpr double least_variance = 1e-8;
-constexpr double even_variance = 1.0 / 12.0;
 constexpr double difference_step = 0.02;
 constexpr int most_redraws = 1000;
 constexpr int direct_evaluations = 400; // times the dimension

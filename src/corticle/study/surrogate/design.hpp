@@ -11,6 +11,9 @@ namespace corticle::fit
 
 using Point = std::vector<double>;
 
+/// Variance of a coordinate that may be anywhere in the cube.
+inline constexpr double even_variance = 1.0 / 12.0;
+
 /// Numbers one after the other, the same on every machine.
 class Random
 {
