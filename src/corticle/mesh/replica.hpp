@@ -6,9 +6,22 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
+#include <vector>
 
 namespace corticle
 {
+
+/// Of ascending particles, the place of the first that each rank owns, and their number as one entry more.
+inline std::vector<std::int64_t> first_of_ranks(const Share& share, std::span<const std::int32_t> particles)
+{
+    std::vector<std::int64_t> first;
+    for (const std::int64_t particle : share.partition().first)
+    {
+        first.push_back(std::ranges::lower_bound(particles, particle) - particles.begin());
+    }
+    return first;
+}
 
 /// Particles whose vectors every rank knows, such as those of the surface: what is worked out from them alone, all
 /// ranks work out alike.
@@ -20,10 +33,7 @@ class Replica
     {
         std::ranges::sort(particles_);
         particles_.erase(std::unique(particles_.begin(), particles_.end()), particles_.end());
-        for (const std::int64_t first : share.partition().first)
-        {
-            first_.push_back(std::ranges::lower_bound(particles_, first) - particles_.begin());
-        }
+        first_ = first_of_ranks(share, particles_);
     }
 
     std::span<const std::int32_t> particles() const { return particles_; }

@@ -125,7 +125,8 @@ class SurfaceContact
     bool answers_for(const Owners<VertexTriangle>&, std::int32_t owner) const { return near_.share().has(owner); }
     bool answers_for(const Owners<EdgeEdge>&, std::int32_t owner) const
     {
-        return near_.share().has(near_.parts().edges()[static_cast<std::size_t>(owner)][0]);
+        const SurfaceShare& share = near_.share(); // not shared, it needs no look at the edge
+        return !share.is_part() || share.has(near_.parts().edges()[static_cast<std::size_t>(owner)][0]);
     }
     template <class Pair, class Act>
     void for_own_pushes(const Owners<Pair>& owners, std::int64_t first, std::int64_t last, Act&& act) const;

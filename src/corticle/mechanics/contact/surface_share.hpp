@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "corticle/mesh/share.hpp"
+#include "corticle/mesh/replica.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -26,10 +26,7 @@ class SurfaceShare
             return;
         }
         ranks_ = &share.ranks();
-        for (const std::int64_t first : share.partition().first)
-        {
-            first_.push_back(std::ranges::lower_bound(particles, first) - particles.begin());
-        }
+        first_ = first_of_ranks(share, particles);
         const auto rank = static_cast<std::size_t>(ranks_->rank());
         begin_ = first_[rank];
         end_ = first_[rank + 1];
